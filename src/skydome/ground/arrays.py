@@ -1,0 +1,107 @@
+"""One way to meet NumPy, PyTorch and JAX arrays: find the namespace, convert, guard the edges."""
+
+import sys
+from typing import Any
+
+import numpy as np
+
+type_error = "arrays of different libraries cannot be mixed, got {}; convert them to one library first"
+
+Array = Any
+"""Any array of the array API (numpy, torch, jax); shapes are stated in docstrings."""
+
+
+def is_numpy(value: Any) -> bool:
+    """True for what NumPy can hold without another library: arrays, numbers, lists."""
+    return isinstance(value, np.ndarray | np.generic | int | float | list | tuple | bool) or value is None
+
+
+def namespace(*values: Any) -> Any:
+    """The array namespace that all of `values` share: numpy itself, or torch's or JAX's (array-api-compat).
+
+    Python numbers and lists go along with any library. TypeError where two libraries are mixed.
+
+    >>> namespace(1.0, [2.0]).__name__
+    'numpy'
+    """
+    foreign = [value for value in values if not is_numpy(value)]
+    if not foreign:
+        return np
+    import array_api_compat
+
+    own = [value for value in values if isinstance(value, np.ndarray)]
+    libraries = sorted({type(value).__module__.split(".")[0] for value in foreign + own})
+    try:
+        return array_api_compat.array_namespace(*foreign, *own)
+    except TypeError as error:
+        raise TypeError(type_error.format(" and ".join(libraries))) from error
+
+
+def floating(value: Any, like: Any = None) -> Array:
+    """`value` as a floating array, shape kept; numbers and lists take dtype and device of the array `like`.
+
+    Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
+    """
+    if value is None:
+        raise TypeError("expected an array or a number, got None")
+    if like is not None and not is_numpy(like) and is_numpy(value) and not isinstance(value, np.ndarray):
+        xp = namespace(like)
+        device = getattr(like, "device", None) if xp.__name__.endswith("torch") else None
+        kwargs = {} if device is None else {"device": device}
+        return xp.asarray(value, dtype=like.dtype, **kwargs)
+    if is_numpy(value):
+        array = np.asarray(value)
+        return array if array.dtype.kind == "f" else array.astype(np.float64)
+    xp = namespace(value)
+    return value if xp.isdtype(value.dtype, "real floating") else xp.astype(value, xp.asarray(1.0).dtype)
+
+
+def constant(table: Any, like: Array) -> Array:
+    """A NumPy table as an array of the library, dtype and device of `like`."""
+    if is_numpy(like):
+        dtype = np.asarray(like).dtype
+        return np.asarray(table, dtype=dtype if dtype.kind == "f" else np.float64)
+    xp = namespace(like)
+    if xp.__name__.endswith("torch"):
+        return xp.asarray(table, dtype=like.dtype, device=like.device)
+    return xp.asarray(table, dtype=like.dtype)
+
+
+def is_concrete(value: Any) -> bool:
+    """False for a JAX tracer, whose values cannot be looked at while a function is being compiled."""
+    jax = sys.modules.get("jax")
+    return jax is None or not isinstance(value, jax.core.Tracer)
+
+
+def as_numpy(value: Any) -> np.ndarray:
+    """`value` as a NumPy array, detached from gradients and copied from its device where needed."""
+    if hasattr(value, "detach"):
+        value = value.detach().cpu()
+    return np.asarray(value)
+
+
+def safe_sqrt(x: Array) -> Array:
+    """Square root, 0 where x <= 0, with gradient 0 there (the plain root's is infinite or NaN)."""
+    xp = namespace(x)
+    positive = x > 0
+    return xp.where(positive, xp.sqrt(xp.where(positive, x, xp.ones_like(x))), xp.zeros_like(x))
+
+
+def safe_divide(numerator: Array, denominator: Array) -> Array:
+    """numerator / denominator, and 0 where the denominator is 0, without warnings or NaN gradients."""
+    xp = namespace(numerator, denominator)
+    usable = denominator != 0
+    ratio = numerator / xp.where(usable, denominator, xp.ones_like(denominator))
+    return xp.where(usable, ratio, xp.zeros_like(ratio))
+
+
+def at_least(x: Array, low: float) -> Array:
+    """Elementwise maximum of x and the number `low` in the dtype of x."""
+    xp = namespace(x)
+    return xp.where(x > low, x, xp.full_like(x, low))
+
+
+def limited(x: Array, low: float, high: float) -> Array:
+    """Elementwise x clamped to [low, high] in the dtype of x."""
+    xp = namespace(x)
+    return xp.where(x < high, at_least(x, low), xp.full_like(x, high))

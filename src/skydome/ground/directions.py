@@ -1,0 +1,150 @@
+"""Directions: unit vectors in the frame x east, y north, z up, that point toward the light."""
+
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.arrays import Array, at_least, constant, floating, is_concrete, limited, namespace, safe_sqrt
+
+ZENITH = np.array([0.0, 0.0, 1.0])
+NORTH = np.array([0.0, 1.0, 0.0])
+EAST = np.array([1.0, 0.0, 0.0])
+SOUTH = -NORTH
+WEST = -EAST
+
+
+def direction(azimuth: Any, elevation: Any) -> Array:
+    """Unit vectors toward azimuth (clockwise from north) and elevation, radians; shape (..., 3).
+
+    >>> from skydome import deg
+    >>> direction(azimuth=90 * deg, elevation=0.0).round(12).tolist()
+    [1.0, 0.0, 0.0]
+    """
+    xp = namespace(azimuth, elevation)
+    azimuth = floating(azimuth, like=elevation)
+    elevation = floating(elevation, like=azimuth)
+    level = xp.cos(elevation)
+    parts = xp.broadcast_arrays(xp.sin(azimuth) * level, xp.cos(azimuth) * level, xp.sin(elevation))
+    return xp.stack(list(parts), axis=-1)
+
+
+def azimuth(directions: Array) -> Array:
+    """Azimuth of each direction, radians clockwise from north in [0, 2 pi), shape (...,); 0 at zenith and nadir.
+
+    >>> float(azimuth(WEST)) / np.pi
+    1.5
+    """
+    xp = namespace(directions)
+    v = floating(directions)
+    angle = xp.atan2(v[..., 0], v[..., 1])
+    turn = 2 * np.pi
+    turned = xp.where(angle < 0, angle + turn, angle)
+    return xp.where(turned >= turn, xp.zeros_like(turned), turned)
+
+
+def elevation(directions: Array) -> Array:
+    """Elevation above the horizon, radians in [-pi/2, pi/2], shape (...,); exact near the zenith too."""
+    xp = namespace(directions)
+    v = floating(directions)
+    return xp.atan2(v[..., 2], safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2))
+
+
+def zenith_angle(directions: Array) -> Array:
+    """Angle from the zenith, radians in [0, pi], shape (...,) (seed 000, eq. 23)."""
+    xp = namespace(directions)
+    v = floating(directions)
+    return xp.atan2(safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2), v[..., 2])
+
+
+def half_chord_squared(a: Array, b: Array) -> Array:
+    """hav(g) = |a - b|^2 / 4 = (1 - cos g) / 2 of the angle g between unit vectors: exact for small g. Shape (...,)."""
+    xp = namespace(a, b)
+    difference = a - b
+    return xp.sum(difference * difference, axis=-1) / 4
+
+
+def angle_between(a: Array, b: Array) -> Array:
+    """Angle between unit vectors by the haversine form, radians, shape (...,).
+
+    g = 2 asin(|a - b| / 2), taken as atan2 of the half chord so that opposite directions stay exact too
+    (within about 1e-8 rad of pi).
+
+    >>> float(angle_between(EAST, NORTH)) / np.pi
+    0.5
+    """
+    xp = namespace(a, b)
+    hav = limited(half_chord_squared(floating(a), floating(b)), 0.0, 1.0)
+    return 2 * xp.atan2(safe_sqrt(hav), safe_sqrt(1 - hav))
+
+
+def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
+    """Spherical distance by the cosine law, radians (seed 000, eq. 24): loses half the digits below 1e-7 rad."""
+    xp = namespace(elevation_a, elevation_b, azimuth_difference)
+    cosine = xp.sin(elevation_a) * xp.sin(elevation_b)
+    cosine = cosine + xp.cos(elevation_a) * xp.cos(elevation_b) * xp.cos(azimuth_difference)
+    return xp.acos(limited(cosine, -1.0, 1.0))
+
+
+def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
+    """Spherical distance by the haversine formula, radians (seed 000, eq. 25): exact for small angles."""
+    xp = namespace(elevation_a, elevation_b, azimuth_difference)
+
+    def hav(x: Array) -> Array:
+        return xp.sin(x / 2) ** 2
+
+    level = 1 - hav(elevation_a - elevation_b) - hav(elevation_a + elevation_b)  # see docs/units-and-frame.md
+    value = hav(elevation_a - elevation_b) + level * hav(azimuth_difference)
+    return 2 * xp.asin(safe_sqrt(limited(value, 0.0, 1.0)))
+
+
+def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
+    """Spherical distance by Vincenty's formula, radians (seed 000, eq. 26): exact everywhere."""
+    xp = namespace(elevation_a, elevation_b, azimuth_difference)
+    sin_a, cos_a = xp.sin(elevation_a), xp.cos(elevation_a)
+    sin_b, cos_b = xp.sin(elevation_b), xp.cos(elevation_b)
+    sin_d, cos_d = xp.sin(azimuth_difference), xp.cos(azimuth_difference)
+    across = safe_sqrt((cos_b * sin_d) ** 2 + (cos_a * sin_b - sin_a * cos_b * cos_d) ** 2)
+    return xp.atan2(across, sin_a * sin_b + cos_a * cos_b * cos_d)
+
+
+def unit(vectors: Array) -> Array:
+    """Vectors (..., 3) scaled to length 1; ValueError where one has length 0."""
+    xp = namespace(vectors)
+    v = floating(vectors)
+    length = xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))
+    if is_concrete(length) and bool(xp.any(length == 0)):
+        raise ValueError("a direction must not have length 0, got (0, 0, 0)")
+    return v / length
+
+
+def checked_directions(directions: Any, name: str = "directions") -> Array:
+    """`directions` as a floating array (..., 3) of unit vectors; ValueError for shape, NaN or a length off by > 1e-3."""
+    v = floating(directions)
+    xp = namespace(v)
+    if v.ndim == 0 or v.shape[-1] != 3:
+        raise ValueError(f"{name} must have shape (..., 3), got {tuple(v.shape)}")
+    if not is_concrete(v) or 0 in v.shape:
+        return v
+    worst = xp.max(xp.abs(xp.sum(v * v, axis=-1) - 1))
+    if not bool(worst <= 2e-3):
+        raise ValueError(f"{name} must be finite unit vectors within 1e-3; scale them with skydome.unit(...)")
+    return v
+
+
+def rotate_about_vertical(directions: Array, angle: Any) -> Array:
+    """Directions turned clockwise (seen from above) by `angle` radians: azimuth grows by it. Shape (..., 3)."""
+    xp = namespace(directions, angle)
+    angle = floating(angle, like=directions)
+    c, s = xp.cos(angle), xp.sin(angle)
+    x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
+    parts = xp.broadcast_arrays(c * x + s * y, c * y - s * x, z)
+    return xp.stack(list(parts), axis=-1)
+
+
+def tangent_frame(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors (..., 3) that with the unit vector `axis` (..., 3) make a right-handed frame (u, v, axis)."""
+    xp = namespace(axis)
+    helper = xp.where(xp.abs(axis[..., 2:3]) < 0.9, constant(ZENITH, axis), constant(EAST, axis))
+    u = xp.linalg.cross(helper, axis)
+    u = u / at_least(xp.sqrt(xp.sum(u * u, axis=-1, keepdims=True)), 1e-30)
+    return u, xp.linalg.cross(axis, u)

@@ -1,0 +1,27 @@
+"""Tables of measured and fitted figures: each a file in `data/` with its source written beside it."""
+
+from functools import cache
+from importlib.resources import as_file, files
+
+import numpy as np
+
+DATA = files("skydome.ground.data")
+
+
+@cache
+def archive(name: str) -> dict[str, np.ndarray]:
+    """The arrays of `data/<name>.npz` by name, read-only; loaded once (constants, not state)."""
+    with as_file(DATA / f"{name}.npz") as path, np.load(path, allow_pickle=False) as stored:
+        arrays = {key: stored[key] for key in stored.files}
+    for array in arrays.values():
+        array.flags.writeable = False
+    return arrays
+
+
+@cache
+def columns(name: str) -> dict[str, np.ndarray]:
+    """The columns of `data/<name>.csv` by heading, float64, read-only; lines that start with # tell the source."""
+    lines = [line for line in (DATA / f"{name}.csv").read_text("utf-8").splitlines() if line and line[0] != "#"]
+    rows = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
+    rows.flags.writeable = False
+    return {heading.strip(): rows[:, k] for k, heading in enumerate(lines[0].split(","))}

@@ -1,0 +1,12 @@
+"""Units as numbers to multiply with: angles are radians, lengths metres, wavelengths nanometres."""
+
+import math
+
+deg = math.pi / 180.0
+"""One degree in radians: `30 * deg`."""
+
+km = 1000.0
+"""One kilometre in metres."""
+
+LUMINOUS_EFFICACY = 683.0
+"""Lumens per watt at the peak of V(lambda), lm W-1, as the published sky models use it (CIE: 683.002)."""
