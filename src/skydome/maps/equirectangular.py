@@ -1,0 +1,92 @@
+"""Equirectangular maps: azimuth along the row, elevation down the column."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
+
+
+@dataclass(frozen=True)
+class Equirectangular(Projection):
+    """The latitude-longitude map, twice as wide as high: row 0 touches the zenith, the last row the nadir.
+
+    Texel centres u = (i + .5) / W, v = (j + .5) / H (seed 000, eq. 20-21, the sky's half of them), azimuth =
+    azimuth_left + 2 pi u clockwise from north: seen from inside. `mirrored` runs the other way (seen from outside).
+
+    >>> north_left = Equirectangular()
+    >>> north_left.shape(4)
+    (4, 8)
+    >>> row, column, _ = north_left.pixels([1.0, 0.0, 0.0], 4)   # east, on the horizon
+    >>> float(row), float(column)
+    (2.0, 2.0)
+    """
+
+    azimuth_left: float = 0.0
+    mirrored: bool = False
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.azimuth_left):
+            raise ValueError(f"azimuth_left must be finite radians, got {self.azimuth_left}")
+
+    def shape(self, height: int) -> tuple[int, int]:
+        """Rows and columns (height, 2 height); the height must be even."""
+        height = checked_height(height, 2, 2, "an equirectangular map")
+        return height, 2 * height
+
+    def azimuths(self, column: Any, height: int) -> np.ndarray:
+        """Azimuth at continuous texel columns, radians, not reduced to one turn."""
+        turn = 2 * np.pi * (np.asarray(column, dtype=np.float64) / self.shape(height)[1])
+        return self.azimuth_left + (-turn if self.mirrored else turn)
+
+    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+        """Unit vectors (..., 3) toward continuous texel coordinates."""
+        azimuth = self.azimuths(column, height)
+        elevation = np.pi * (0.5 - np.asarray(row, dtype=np.float64) / height)
+        level = np.cos(elevation)
+        up = np.broadcast_to(np.sin(elevation), np.broadcast_shapes(azimuth.shape, level.shape))
+        return np.stack([np.sin(azimuth) * level, np.cos(azimuth) * level, up], axis=-1)
+
+    def pixels(self, directions: Any, height: int) -> Texels:
+        """Continuous texel coordinates (row, column) of directions (..., 3); every direction is covered."""
+        rows, columns = self.shape(height)
+        x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
+        turn = (np.arctan2(x, y) - self.azimuth_left) / (2 * np.pi)
+        u = np.mod(-turn if self.mirrored else turn, 1.0)
+        v = np.arctan2(np.hypot(x, y), z) / np.pi
+        return within(v * rows, rows), within(u * columns, columns), np.ones(np.shape(x), dtype=bool)
+
+    def solid_angles(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:
+        """Exact solid angle of each row's texels, sr, shape (r, 1): (2 pi / W) times the difference of sines."""
+        _, columns = self.shape(height)
+        row, _ = self.centres(height, rows)
+        step = np.pi / height
+        return 2 * np.pi / columns * 2 * math.sin(step / 2) * np.sin(row * step)  # sin a - sin b = 2 sin .. cos ..
+
+    def vector_solid_angles(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:
+        """Exact integral of the direction over each texel, sr, shape (r, W, 3).
+
+        Level part: integral of cos^2 e de times the integral of (sin, cos) of the azimuth; upward: of sin e cos e de.
+        """
+        row, column = self.centres(height, rows)
+        step = np.pi / height  # a texel's height and width, radians
+        from_zenith = row * step
+        level = step / 2 - math.sin(step) * np.cos(2 * from_zenith) / 2
+        up = math.sin(step) * np.sin(2 * from_zenith) / 2 * step
+        azimuth = self.azimuths(column, height)
+        across = 2 * math.sin(step / 2)
+        parts = np.broadcast_arrays(level * across * np.sin(azimuth), level * across * np.cos(azimuth), up)
+        return np.stack(parts, axis=-1)
+
+    def wrapped(self, row: np.ndarray, column: np.ndarray, height: int, home: np.ndarray) -> Texels:
+        """Texel indices led across the seam (columns repeat) and over the poles (half a turn on)."""
+        rows, columns = self.shape(height)
+        over = (row < 0) | (row >= rows)
+        row = np.where(row < 0, -1 - row, np.where(row >= rows, 2 * rows - 1 - row, row))
+        return row, np.mod(column + np.where(over, columns // 2, 0), columns), np.ones(row.shape, dtype=bool)
+
+    def height_for(self, texels: float) -> int:
+        """The even height whose 2 height^2 texels come nearest."""
+        return max(2, 2 * round(math.sqrt(texels / 2) / 2))

@@ -1,0 +1,67 @@
+"""Where each renderer puts north: one small table of layouts and frames."""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Fisheye, Projection
+
+Matrix = tuple[tuple[float, float, float], ...]
+Z_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))  # x east, y north, z up: ours
+Y_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0))  # x east, y up, z south
+
+
+@dataclass(frozen=True)
+class Target:
+    """A renderer's convention: how its map is laid out, and which of its axes are east, north and up.
+
+    `to_frame` turns our vectors (x east, y north, z up) into the renderer's: `v @ np.array(to_frame).T`.
+    """
+
+    name: str
+    projection: Projection
+    to_frame: Matrix
+    note: str
+    source: str = field(repr=False)
+
+    def frame_vectors(self, directions: np.ndarray) -> np.ndarray:
+        """Directions (..., 3) of ours as the renderer's vectors (..., 3).
+
+        >>> target("usd").frame_vectors(np.array([0.0, 1.0, 0.0])).tolist()   # north
+        [0.0, 0.0, -1.0]
+        """
+        turned: np.ndarray = np.asarray(directions) @ np.array(self.to_frame).T
+        return turned
+
+
+NORTH_LEFT = Equirectangular()
+SOUTH_LEFT = Equirectangular(azimuth_left=math.pi)
+WEST_LEFT = Equirectangular(azimuth_left=1.5 * math.pi)
+
+SKY_DISC = "the sky looking up, equidistant: north at the top, east at the left"
+
+TARGETS: tuple[Target, ...] = (
+    Target("native", NORTH_LEFT, Z_UP, "z up; north at the left edge, south at the centre", "seed 000, eq. 20-21"),
+    Target("blender", WEST_LEFT, Z_UP, "z up; east (+X) at the centre", "Blender, camera/projection.h"),
+    Target("mitsuba", NORTH_LEFT, Y_UP, "y up; south (+Z) at the centre", "Mitsuba 3, envmap.cpp"),
+    Target("openexr", NORTH_LEFT, Y_UP, "y up; south (+Z) at the centre; texel centres", "OpenEXR, ImfEnvmap.h"),
+    Target("usd", NORTH_LEFT, Y_UP, "y up, on z-up stages too; south (+Z) at the centre", "usdLux schema.usda"),
+    Target("three", WEST_LEFT, Y_UP, "y up; east (+X) at the centre", "three.js, equirectUv"),
+    Target("skylibs", SOUTH_LEFT, Y_UP, "y up; north (-Z) at the centre", "skylibs, envmap/projections.py"),
+    Target("pbrt", EqualAreaSquare(), Z_UP, "z up in the middle, +X right, +Y at the bottom", "pbrt-v4, Clarberg 2008"),
+    Target("cube", CubeMap(), Y_UP, "y up; strip of faces +X -X +Y -Y +Z -Z", "OpenGL 4.6, table 8.19"),
+    Target("fisheye", Fisheye(), Z_UP, SKY_DISC, "as sky plots are drawn"),
+)
+
+
+def target(name: str) -> Target:
+    """The renderer's convention by name; ValueError lists the names there are.
+
+    >>> target("pbrt").projection
+    EqualAreaSquare()
+    """
+    for entry in TARGETS:
+        if entry.name == name:
+            return entry
+    raise ValueError(f"target must be one of {', '.join(entry.name for entry in TARGETS)}, got {name!r}")
