@@ -1,0 +1,59 @@
+"""skydome: the light of the sky in every direction, by every published model, in stated units and one frame.
+
+Frame: x east, y north, z up; azimuth clockwise from north; directions point toward the light. Angles in radians
+(`30 * deg`), places in degrees, wavelengths in nm, luminance in cd m-2, spectral radiance in W m-2 sr-1 nm-1.
+"""
+
+from importlib import import_module
+from typing import Any
+
+from skydome.ground.units import deg, km
+
+__version__ = "0.1.0"
+
+# Public name -> module; imported when first asked for, so that `import skydome` stays quick.
+HOME = {
+    "ground.directions": "ZENITH NORTH EAST SOUTH WEST direction azimuth elevation angle_between unit",
+    "sun.place": "Place",
+    "sun.position": "sun_direction sun_angles earth_sun_distance solar_radius",
+    "sun.preetham_position": "preetham_sun_direction",
+    "sun.events": "sun_events SunEvents",
+    "sun.times": "instants",
+    "light.spectrum": "Spectrum",
+    "light.colour": "SRGB REC2020 ACESCG RADIANCE RGBSpace",
+    "light.colour_temperature": "colour_temperature duv",
+    "light.daylight": "daylight_spectrum",
+    "skies.sky": "Sky ColourSky SpectralSky",
+    "skies.combination": "Blend Combination",
+    "skies.level": "clear_zenith_luminance overcast_zenith_luminance",
+    "skies.uniform": "Uniform MoonSpencer",
+    "skies.cie": "CIE CIEClear CIEIntermediate",
+    "skies.perez": "Perez",
+    "skies.perez_all_weather": "PerezAllWeather",
+    "skies.preetham": "Preetham",
+    "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
+    "skies.daylight_sky": "Daylight",
+    "skies.sun_disc": "SunDisc",
+    "maps.environment_map": "EnvironmentMap",
+    "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
+    "maps.targets": "target",
+    "dome.integrals": "illuminance",
+    "dome.render": "render",
+}
+WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
+
+__all__ = ["__version__", "deg", "km", *WHERE]  # noqa: PLE0604
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name from its home on first use."""
+    if name not in WHERE:
+        raise AttributeError(f"module 'skydome' has no attribute {name!r}")
+    value = getattr(import_module(WHERE[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Every public name."""
+    return sorted(__all__)

@@ -1,0 +1,137 @@
+"""Maps of skies: the sky above, the ground below, the sun's energy exact."""
+
+from typing import Any
+
+import numpy as np
+
+from skydome.dome.integrals import colourless, discs_and_rest, horizontal_xyz
+from skydome.ground.arrays import as_numpy
+from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
+from skydome.light.spectrum import Spectrum
+from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.projections import Equirectangular, Projection
+from skydome.skies.hosek_wilkie import channel_albedo
+from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.sun_disc import SunDisc
+
+CHUNK = 1 << 17
+"""Texels evaluated at a time: about 25 MB of scratch memory."""
+
+POINTS_PER_TEXEL = 4096
+LEAST_POINTS, MOST_POINTS = 4096, 1 << 18
+
+
+def render(
+    sky: Sky,
+    height: int = 512,
+    *,
+    projection: Projection | None = None,
+    space: RGBSpace = SRGB,
+    ground_albedo: Any = None,
+    dtype: Any = np.float32,
+    metadata: dict[str, Any] | None = None,
+) -> EnvironmentMap:
+    """The sky as an `EnvironmentMap`: linear RGB in which (1, 1, 1) means 1 cd m-2.
+
+    `projection` is `Equirectangular()` (native: north at the left edge, width 2 x height) or any other. Texels below
+    the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`,
+    or by default the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the texels that
+    it covers, its energy kept. TypeError for a sky without colour, ValueError for a height that the projection cannot
+    take, or for a sky of more than one condition. Memory: the map and about 25 MB.
+
+    >>> import skydome as sd
+    >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)
+    >>> sd.render(sky, height=64).pixels.shape
+    (64, 128, 3)
+    """
+    projection = Equirectangular() if projection is None else projection
+    if not isinstance(sky, ColourSky):
+        raise TypeError(colourless(sky))
+    discs, rest = discs_and_rest(sky)
+    rows, columns = projection.shape(height)
+    pixels = np.zeros((rows, columns, 3), dtype=dtype)
+    ground = ground_rgb(sky, ground_albedo, space)
+    step = max(1, CHUNK // columns)
+    for start in range(0, rows, step):
+        block = slice(start, min(rows, start + step))
+        fill(pixels[block], rest, ground, projection.directions(height, block), projection.valid(height, block), space)
+    for disc, factor in discs:
+        add_disc(pixels, disc, float(factor), projection, height, space)
+    provenance = {"model": sky.parameters()} | (metadata or {})
+    return EnvironmentMap(pixels, projection, space, provenance)
+
+
+def fill(
+    pixels: np.ndarray,
+    skies: list[Sky],
+    ground: np.ndarray,
+    directions: np.ndarray,
+    valid: np.ndarray,
+    space: RGBSpace,
+) -> None:
+    """Write the light of `skies` into a block of pixels (r, W, 3): sky above the horizon, `ground` (3,) below it."""
+    below = directions[..., 2] < 0
+    pixels[below & valid] = ground
+    above = ~below & valid
+    if not above.any():
+        return
+    seen = directions if above.all() else directions[above]
+    light: Any = 0.0
+    for sky in skies:
+        if not isinstance(sky, ColourSky):
+            raise TypeError(colourless(sky))
+        light = light + sky.rgb(seen, space)
+    light = as_numpy(light) if skies else np.zeros(seen.shape)
+    if light.shape != seen.shape:
+        raise ValueError(f"a map shows one sky at a time: parameters must have shape (), got {light.shape[:-2]}")
+    if above.all():
+        pixels[...] = light
+    else:
+        pixels[above] = light
+
+
+def own_albedo(sky: Sky) -> Any:
+    """The albedo that a sky (or the first part of a sum that has one) was given, else 0.2."""
+    return next((part.albedo for part in sky.parts if hasattr(part, "albedo")), 0.2)
+
+
+def ground_rgb(sky: ColourSky, albedo: Any, space: RGBSpace) -> np.ndarray:
+    """RGB of a Lambertian ground under the sky, (3,): albedo x global illuminance / pi, channel by channel."""
+    albedo = own_albedo(sky) if albedo is None else albedo
+    if not isinstance(albedo, Spectrum) and np.ndim(albedo) != 0:
+        raise ValueError(f"ground_albedo must be a number or a Spectrum, got shape {np.shape(albedo)}")
+    reflectance = channel_albedo(albedo, "xyz", np.zeros(3))
+    if not ((reflectance >= 0) & (reflectance <= 1)).all():
+        raise ValueError(f"ground_albedo must lie in [0, 1], got {albedo}")
+    diffuse, direct = horizontal_xyz(sky)
+    ground: np.ndarray = rgb_from_xyz(reflectance * (diffuse + direct) / np.pi, space)
+    return ground
+
+
+def disc_points(disc: SunDisc, texel: float) -> int:
+    """How many points stand for the disc on texels of a solid angle, sr: thousands in every texel that it fills."""
+    texels = np.pi * float(disc.angular_radius) ** 2 / texel
+    return int(min(MOST_POINTS, max(LEAST_POINTS, POINTS_PER_TEXEL * texels)))
+
+
+def add_disc(
+    pixels: np.ndarray, disc: SunDisc, factor: float, projection: Projection, height: int, space: RGBSpace
+) -> None:
+    """Add the disc's light to the pixels: every point's flux goes to the texel that it falls in.
+
+    The sum of luminance x solid angle over the map is the disc's illuminance at every height. Points below the
+    horizon are dropped: of a sun that sets only the visible part remains.
+    """
+    if not bool(disc.is_day):
+        return
+    rows, columns = pixels.shape[:2]
+    angles = np.broadcast_to(projection.solid_angles(height), (rows, columns))
+    directions, light = disc.points(disc_points(disc, 4 * np.pi / (rows * columns)))
+    row, column, covered = projection.pixels(directions, height)
+    covered = covered & (directions[:, 2] >= 0)
+    index = row.astype(np.int64) * columns + column.astype(np.int64)
+    index, light = index[covered], rgb_from_xyz(light[covered], space) * factor
+    texels, place = np.unique(index, return_inverse=True)
+    flux = np.zeros((texels.size, 3))
+    np.add.at(flux, place, light)
+    pixels.reshape(-1, 3)[texels] += flux / angles.reshape(-1)[texels][:, None]

@@ -1,0 +1,119 @@
+"""The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky."""
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array, constant, floating, namespace
+from skydome.ground.directions import checked_directions, zenith_angle
+from skydome.ground.tables import columns
+from skydome.skies.formula_sky import LuminanceFormulaSky
+from skydome.skies.level import levelled, require_one_level
+from skydome.skies.perez_formula import from_perez, view_geometry
+from skydome.skies.sky import Sky
+
+
+@dataclass(frozen=True, eq=False)
+class CIE(LuminanceFormulaSky):
+    """CIE standard general sky of a type 1 (overcast) ... 15 (white-blue turbid with broad corona).
+
+    L = Lz phi(t) f(g) / (phi(0) f(ts)), phi = 1 + a exp(b / cos t), f = 1 + c (exp(d g) - exp(d pi / 2)) + e cos^2 g
+    (CIE S 011/E:2003 = ISO 15469:2004). `type` may be an array of integers. Level: zenith_luminance, cd m-2, or
+    illuminance (diffuse, horizontal), lx.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=60 * sd.deg)
+    >>> sky = sd.CIE(sun, type=12, zenith_luminance=1.0)
+    >>> round(float(sky.luminance(sd.direction(azimuth=0.0, elevation=45 * sd.deg))), 7)
+    0.4544525
+    """
+
+    type: Any = 12
+    zenith_luminance: Any = field(default=None, kw_only=True)
+    illuminance: Any = field(default=None, kw_only=True)
+    source: ClassVar[str] = "CIE S 011/E:2003 (ISO 15469:2004)"
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        require_one_level("CIE", self.zenith_luminance, self.illuminance)
+        kinds = np.asarray(self.type)
+        if kinds.dtype.kind not in "iu" or kinds.min() < 1 or kinds.max() > 15:
+            raise ValueError(f"type must be an integer from 1 to 15, got {self.type}")
+        super().__post_init__()
+
+    def coefficients(self) -> Array:
+        """R A ... I of the one channel, shape (..., 1, 10); C = 1 - c exp(d pi / 2)."""
+        table = columns("cie_s011")
+        row = np.asarray(self.type) - 1
+        a, b, c, d, e = (constant(table[letter][row], self.sun) for letter in "abcde")
+        constant_term = constant(1 - table["c"][row] * np.exp(table["d"][row] * np.pi / 2), self.sun)
+        relative = from_perez(1.0, a, b, c, d, e, constant_term)
+        return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
+
+
+@dataclass(frozen=True, eq=False)
+class CIEClear(LuminanceFormulaSky):
+    """The older CIE clear sky, Kittler's formula (Preetham 1999, eq. 1; CIE 110-1994).
+
+    L = Lz (0.91 + 10 exp(-3 g) + 0.45 cos^2 g) (1 - exp(-0.32 / cos t)) / (the same at the zenith).
+
+    >>> import skydome as sd
+    >>> sky = sd.CIEClear(sd.direction(azimuth=0.0, elevation=0.6), zenith_luminance=3000.0)
+    >>> round(float(sky.luminance(sd.ZENITH)))
+    3000
+    """
+
+    zenith_luminance: Any = field(default=None, kw_only=True)
+    illuminance: Any = field(default=None, kw_only=True)
+    source: ClassVar[str] = "Kittler 1967, CIE 110-1994; Preetham 1999, eq. 1"
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        require_one_level("CIEClear", self.zenith_luminance, self.illuminance)
+        super().__post_init__()
+
+    def coefficients(self) -> Array:
+        """R A ... I of the one channel, shape (1, 10)."""
+        numbers = (constant(value, self.sun) for value in (-1.0, -0.32, 10.0, -3.0, 0.45))
+        relative = from_perez(1.0, *numbers, 0.91)
+        return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
+
+
+@dataclass(frozen=True, eq=False)
+class CIEIntermediate(Sky):
+    """The CIE intermediate sky: haze and thin cloud with the sun still bright.
+
+    Nakamura, Oki and Hayashi 1985, CIE 110-1994; with elevations v of the view and s of the sun
+    L = Lz ((1.35 sin(3.59 v - 0.009) + 3.12) sin(2.6 s + 0.316) + v + 4.799) / 2.326
+    exp(-0.563 g ((s - 0.008) (v + 1.059) + 0.812)), over the same at the zenith. The figures are Radiance's
+    (skybright.cal), which writes them with zenith angles. Level by zenith_luminance, cd m-2.
+
+    >>> import skydome as sd
+    >>> sky = sd.CIEIntermediate(sd.direction(azimuth=0.0, elevation=0.6), zenith_luminance=3000.0)
+    >>> round(float(sky.luminance(sd.ZENITH)))
+    3000
+    """
+
+    sun: Array
+    zenith_luminance: Any
+    source: ClassVar[str] = "Nakamura, Oki and Hayashi 1985; CIE 110-1994"
+
+    def relative(self, view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:
+        """Relative luminance, shape (...,), from zenith angles and the angle to the sun, radians."""
+        xp = namespace(view_zenith, sun_angle, sun_zenith)
+        first = (1.35 * xp.sin(5.631 - 3.59 * view_zenith) + 3.12) * xp.sin(4.396 - 2.6 * sun_zenith)
+        decay = -0.563 * ((2.629 - view_zenith) * (1.562 - sun_zenith) + 0.812)
+        return (first + 6.37 - view_zenith) / 2.326 * xp.exp(sun_angle * decay)
+
+    def luminance(self, directions: Array) -> Array:
+        """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night."""
+        namespace(directions, self.sun)
+        directions = checked_directions(directions)
+        sun = floating(self.sun, like=directions)
+        _, sun_angle = view_geometry(directions, sun)
+        sun_zenith = zenith_angle(sun)
+        shape = self.relative(zenith_angle(directions), sun_angle, sun_zenith)
+        zenith = self.relative(sun_zenith * 0, sun_zenith, sun_zenith)
+        level = floating(self.zenith_luminance, like=directions)
+        return self.blanked(level * shape / zenith, directions, channels=0)

@@ -1,0 +1,67 @@
+"""Colour for skies that know luminance only, given on purpose: one chromaticity and its daylight spectrum."""
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array, constant, namespace
+from skydome.light.colour import xyz_from_xyY
+from skydome.light.daylight import daylight_spectrum
+from skydome.skies.sky import Sky, SpectralSky
+
+D65 = (0.3127, 0.3290)
+"""Chromaticity x, y of the standard daylight illuminant D65: sRGB's white, so that a map is neutral grey."""
+
+
+@dataclass(frozen=True, eq=False)
+class Daylight(SpectralSky):
+    """`sky` with the same chromaticity (x, y) everywhere and the CIE daylight spectrum that belongs to it, 380-780 nm.
+
+    >>> import skydome as sd
+    >>> sky = sd.Daylight(sd.MoonSpencer(zenith_luminance=1000.0))
+    >>> sky.rgb(sd.ZENITH).round(0).tolist()
+    [1000.0, 1000.0, 1000.0]
+    """
+
+    sky: Sky
+    chromaticity: tuple[float, float] = D65
+    source: ClassVar[str] = "CIE daylight series (Preetham 1999, A.5)"
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        x, y = self.chromaticity
+        if not (0 < x < 1 and 0 < y < 1 and x + y <= 1):
+            raise ValueError(f"chromaticity must be (x, y) inside the CIE diagram, got {self.chromaticity}")
+        super().__post_init__()
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sky's sun is up."""
+        return self.sky.is_day
+
+    @property
+    def valid(self) -> Array:
+        """True where the sky is valid."""
+        return self.sky.valid
+
+    def __getattr__(self, name: str) -> Any:
+        """The inner sky's sun, turbidity and direct light, so that `SunDisc.of` finds them."""
+        if name in ("sun", "turbidity", "direct_normal_illuminance"):
+            return getattr(object.__getattribute__(self, "sky"), name)
+        raise AttributeError(name)
+
+    def luminance(self, directions: Array) -> Array:
+        """The sky's own luminance, cd m-2, shape (...,)."""
+        return self.sky.luminance(directions)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
+        luminance = self.luminance(directions)
+        namespace(luminance)
+        white = xyz_from_xyY(np.array([*self.chromaticity, 1.0]))
+        return luminance[..., None] * constant(white, luminance)
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W)."""
+        return daylight_spectrum(self.xyz(directions), wavelengths)

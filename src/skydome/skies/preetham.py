@@ -1,0 +1,100 @@
+"""Preetham, Shirley and Smits's clear sky (1999): Perez's formula for luminance Y and chromaticities x and y.
+
+deviation from the paper | here | why
+eq. 12 divides x by one F | x and y each by F(0, ts) of their own letters | the text of section 3.2; seed 000 eq. 12
+no limits given | turbidity 2-6 | those were fitted (section 3.2); below about 2 and for very low suns it goes wild
+"""
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array, constant, namespace
+from skydome.ground.directions import zenith_angle
+from skydome.light.colour import xyz_from_xyY
+from skydome.light.daylight import daylight_spectrum
+from skydome.skies.formula_sky import FormulaSky
+from skydome.skies.perez_formula import evaluate, from_perez
+from skydome.skies.sky import SpectralSky
+from skydome.skies.validity import Range
+
+# Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2; seed 000, eq. 13-15).
+LETTERS_Y = ((0.1787, -1.4630), (-0.3554, 0.4275), (-0.0227, 5.3251), (0.1206, -2.5771), (-0.0670, 0.3703))
+LETTERS_x = ((-0.0193, -0.2592), (-0.0665, 0.0008), (-0.0004, 0.2125), (-0.0641, -0.8989), (-0.0033, 0.0452))
+LETTERS_y = ((-0.0167, -0.2608), (-0.0950, 0.0092), (-0.0079, 0.2102), (-0.0441, -1.6537), (-0.0109, 0.0529))
+# Rows T^2, T, 1; columns ts^3, ts^2, ts, 1 (A.2; seed 000, eq. 18-19).
+ZENITH_x = ((0.0017, -0.0037, 0.0021, 0.000), (-0.0290, 0.0638, -0.0320, 0.0039), (0.1169, -0.2120, 0.0605, 0.2589))
+ZENITH_y = ((0.0028, -0.0061, 0.0032, 0.000), (-0.0421, 0.0897, -0.0415, 0.0052), (0.1535, -0.2676, 0.0667, 0.2669))
+
+
+def zenith_luminance(turbidity: Array, sun_zenith: Array) -> Array:
+    """Luminance at the zenith, cd m-2, shape (...,) (A.2, printed in kcd m-2; seed 000, eq. 16-17)."""
+    xp = namespace(turbidity, sun_zenith)
+    chi = (4 / 9 - turbidity / 120) * (np.pi - 2 * sun_zenith)
+    return 1000 * ((4.0453 * turbidity - 4.9710) * xp.tan(chi) - 0.2155 * turbidity + 2.4192)
+
+
+def zenith_chromaticity(turbidity: Array, sun_zenith: Array, rows: tuple[tuple[float, ...], ...]) -> Array:
+    """x or y at the zenith, shape (...,): a cubic in the sun's zenith angle with coefficients quadratic in turbidity."""
+    cubics = [((row[0] * sun_zenith + row[1]) * sun_zenith + row[2]) * sun_zenith + row[3] for row in rows]
+    return (cubics[0] * turbidity + cubics[1]) * turbidity + cubics[2]
+
+
+def letters(turbidity: Array, rows: tuple[tuple[float, float], ...]) -> list[Array]:
+    """The five letters A to E, each of the shape of turbidity (A.2)."""
+    return [slope * turbidity + intercept for slope, intercept in rows]
+
+
+@dataclass(frozen=True, eq=False)
+class Preetham(FormulaSky, SpectralSky):
+    """The clear sky of Preetham, Shirley and Smits 1999, for turbidity 2-6.
+
+    Known errors: too bright at low turbidity near a low sun, too little darkening toward the horizon, no ground
+    albedo (docs/models/preetham.md gives figures). `radiance` is the paper's A.5: the CIE daylight series at the sky's
+    chromaticity, 380-780 nm.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
+    >>> sky = sd.Preetham(sun, turbidity=3.0)
+    >>> round(float(sky.luminance(sd.ZENITH)))
+    4745
+    """
+
+    turbidity: Any
+    ranges: ClassVar = {"turbidity": Range(2.0, 6.0)}
+    source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2"
+
+    def coefficients(self) -> Array:
+        """R A ... I of the channels x, y, Y, shape (..., 3, 10)."""
+        sun_zenith, turbidity = zenith_angle(self.sun), self.parameter("turbidity")
+        xp = namespace(sun_zenith, turbidity)
+        below = sun_zenith < np.pi / 2
+        sun_zenith = xp.where(below, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
+        zenith = (
+            zenith_chromaticity(turbidity, sun_zenith, ZENITH_x),
+            zenith_chromaticity(turbidity, sun_zenith, ZENITH_y),
+            zenith_luminance(turbidity, sun_zenith),
+        )
+        channels = []
+        for rows, value in zip((LETTERS_x, LETTERS_y, LETTERS_Y), zenith, strict=True):
+            relative = from_perez(constant(1.0, turbidity), *letters(turbidity, rows))
+            at_zenith = evaluate(relative, xp.ones_like(sun_zenith), sun_zenith)[..., 0]
+            channels.append(from_perez(value / at_zenith, *letters(turbidity, rows)))
+        return xp.concat(channels, axis=-2)
+
+    def xyY(self, directions: Array) -> Array:  # noqa: N802 (the CIE's name)
+        """Chromaticities x and y and luminance Y, cd m-2, shape (..., 3); all 0 below the horizon and at night."""
+        return self.channels(directions)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
+        return xyz_from_xyY(self.xyY(directions))
+
+    def luminance(self, directions: Array) -> Array:
+        """Luminance toward each direction, cd m-2, shape (...,); computes the one channel Y."""
+        return self.channels(directions, self.coefficients()[..., 2:, :])[..., 0]
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5)."""
+        return daylight_spectrum(self.xyz(directions), wavelengths)

@@ -1,0 +1,136 @@
+"""The ladder of skies: luminance, then colour, then spectrum; each rung gives the ones below it for free."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from functools import reduce
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
+from skydome.ground.directions import checked_directions
+from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.validity import Check, Range, inside, require, require_check
+
+
+@dataclass(frozen=True, eq=False)
+class Sky(ABC):
+    """A sky whose luminance is known: the first rung.
+
+    `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
+    the parameter to the limit, "nan" answers NaN. A sun below the horizon is night: light 0 and `valid` False.
+    """
+
+    ranges: ClassVar[Mapping[str, Range]] = {}
+    source: ClassVar[str] = ""
+    check: Check = field(default="raise", kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Validate only; nothing is changed."""
+        require_check(self.check)
+        if hasattr(self, "sun"):
+            checked_directions(self.sun, "sun")
+        if self.check == "raise":
+            for name, interval in self.ranges.items():
+                require(name, getattr(self, name), interval)
+
+    @abstractmethod
+    def luminance(self, directions: Array) -> Array:
+        """Luminance toward each direction (..., 3), cd m-2, shape (...,); 0 below the horizon."""
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sun stands above the horizon (always, for a sky without a sun), boolean array."""
+        sun = getattr(self, "sun", None)
+        return np.asarray(True) if sun is None else floating(sun)[..., 2] > 0
+
+    @property
+    def valid(self) -> Array:
+        """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
+        like = getattr(self, "sun", None)
+        checks = [inside(floating(getattr(self, name), like=like), interval) for name, interval in self.ranges.items()]
+        return reduce(lambda a, b: a & b, checks, self.is_day)
+
+    def blanked(self, light: Array, directions: Array, channels: int = 1) -> Array:
+        """`light` with 0 below the horizon and at night, and NaN outside validity where check is "nan"."""
+        xp = namespace(light, directions)
+        seen = self.is_day & (directions[..., 2] >= 0)
+        allowed = (self.valid | ~self.is_day) if self.check == "nan" else None
+        if channels:
+            seen, allowed = seen[..., None], None if allowed is None else allowed[..., None]
+        light = xp.where(seen, light, xp.zeros_like(light))
+        return light if allowed is None else xp.where(allowed, light, xp.full_like(light, float("nan")))
+
+    @property
+    def parts(self) -> tuple["Sky", ...]:
+        """The skies of which this one is the sum: itself, if it is no sum."""
+        return (self,)
+
+    def __add__(self, other: "Sky") -> "Sky":
+        """This light and the other's together, on the highest rung that both know."""
+        from skydome.skies.combination import combine
+
+        return combine((self, other), (1.0, 1.0))
+
+    def __mul__(self, factor: Any) -> "Sky":
+        """This sky with its light multiplied by `factor`."""
+        from skydome.skies.combination import combine
+
+        return combine((self,), (factor,))
+
+    __rmul__ = __mul__
+
+    def parameters(self) -> dict[str, Any]:
+        """Class name and every parameter as plain numbers, lists and strings: the provenance that maps carry."""
+        return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}
+
+
+class ColourSky(Sky):
+    """A sky whose colour is known: the second rung."""
+
+    @abstractmethod
+    def xyz(self, directions: Array) -> Array:
+        """CIE 1931 XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3)."""
+
+    def luminance(self, directions: Array) -> Array:
+        """Luminance toward each direction, cd m-2, shape (...,): the Y of `xyz`."""
+        return self.xyz(directions)[..., 1]
+
+    def rgb(self, directions: Array, space: RGBSpace = SRGB) -> Array:
+        """Linear RGB toward each direction, scaled so that white of 1 cd m-2 is (1, 1, 1), shape (..., 3).
+
+        Colours outside the space have negative components; nothing is clipped here.
+        """
+        return rgb_from_xyz(self.xyz(directions), space)
+
+
+class SpectralSky(ColourSky):
+    """A sky whose spectrum is known: the third rung."""
+
+    bands: ClassVar[np.ndarray] = np.arange(380.0, 781.0, 10.0)
+    """Wavelengths, nm, between which the model's spectrum is taken as linear when colours are integrated."""
+
+    @abstractmethod
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction (..., 3) at wavelengths (W,) nm, W m-2 sr-1 nm-1, shape (..., W)."""
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ by integrating `radiance` over `bands` against the CIE 1931 functions, shape (..., 3)."""
+        radiance = self.radiance(directions, self.bands)
+        return radiance @ constant(xyz_weights(self.bands), radiance)
+
+
+def plain(value: Any) -> Any:
+    """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
+    if isinstance(value, Sky):
+        return value.parameters()
+    if isinstance(value, tuple | list):
+        return [plain(item) for item in value]
+    if value is None or isinstance(value, str | int | float | bool):
+        return value
+    if hasattr(value, "__dataclass_fields__"):
+        return {name: plain(getattr(value, name)) for name in value.__dataclass_fields__}
+    array = as_numpy(value)
+    return array.tolist() if array.size <= 64 else f"array{array.shape}"

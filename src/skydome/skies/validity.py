@@ -1,0 +1,61 @@
+"""Where a model holds: ranges as data, and what to do outside them."""
+
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from skydome.ground.arrays import Array, as_numpy, floating, is_concrete, limited, namespace
+
+Check = Literal["raise", "clamp", "nan"]
+CHECKS = ("raise", "clamp", "nan")
+
+
+class Range(NamedTuple):
+    """The interval [low, high] in which a parameter may lie, with its unit."""
+
+    low: float
+    high: float
+    unit: str = ""
+
+    def __str__(self) -> str:
+        unit = f" {self.unit}" if self.unit else ""
+        return f"[{self.low:g}, {self.high:g}]{unit}"
+
+
+def inside(value: Array, interval: Range) -> Array:
+    """True where value lies in the interval (NaN does not), shape of value."""
+    return (value >= interval.low) & (value <= interval.high)
+
+
+def require(name: str, value: Any, interval: Range) -> None:
+    """ValueError in one line unless every element of value lies in the interval; tracers are let through."""
+    value = floating(value)
+    if not is_concrete(value):
+        return
+    numbers = as_numpy(value)
+    wrong = ~((numbers >= interval.low) & (numbers <= interval.high))
+    if wrong.any():
+        first = np.asarray(numbers)[wrong].flat[0]
+        raise ValueError(f"{name} must lie in {interval}, got {first:g}")
+
+
+def applied(name: str, value: Any, interval: Range, check: Check, like: Any = None) -> Array:
+    """`value` as the model may use it: clamped to the interval unless check is "raise" (then it lies in it already)."""
+    del name
+    value = floating(value, like=like)
+    return value if check == "raise" else limited(value, interval.low, interval.high)
+
+
+def require_check(check: str) -> None:
+    """ValueError unless check is one of the three policies."""
+    if check not in CHECKS:
+        raise ValueError(f'check must be one of "raise", "clamp", "nan", got {check!r}')
+
+
+def all_of(*conditions: Array) -> Array:
+    """Elementwise "and" of boolean arrays that broadcast."""
+    xp = namespace(*conditions)
+    result = conditions[0]
+    for condition in conditions[1:]:
+        result = xp.logical_and(result, condition)
+    return result
