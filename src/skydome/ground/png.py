@@ -1,0 +1,24 @@
+"""PNG pictures: 8 bit sRGB."""
+
+from collections.abc import Mapping
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.writing import appearing
+
+
+def write_png(path: str | PathLike[str], encoded: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
+    """Write sRGB-encoded values (H, W, 3) in 0..1 as an 8 bit PNG, atomically; `header` becomes its text entries."""
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    if not np.all(np.isfinite(encoded)):
+        raise ValueError("pixels must be finite to be written, got NaN or infinity")
+    notes = PngInfo()
+    for name, value in (header or {}).items():
+        notes.add_itxt(name, str(value))
+    eight_bit = np.rint(np.clip(encoded, 0.0, 1.0) * 255).astype(np.uint8)
+    with appearing(path) as beside, beside.open("wb") as file:
+        Image.fromarray(eight_bit).save(file, format="PNG", pnginfo=notes)
