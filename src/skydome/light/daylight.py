@@ -1,0 +1,63 @@
+"""Daylight: the spectrum of the CIE D series that has a given colour and luminance (Preetham 1999, A.5, Table 2)."""
+
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide
+from skydome.ground.tables import columns
+from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
+
+CHROMATICITY_TO_AMOUNTS = np.array(
+    [
+        [0.0241, -1.3515, 0.0300],
+        [0.2562, -1.7703, -31.4424],
+        [-0.7341, 5.9114, 30.0717],
+    ]
+)
+"""Rows 1, x, y; columns the common denominator of M1 and M2 and their numerators (Preetham 1999, A.5)."""
+
+RANGE = (380.0, 780.0)
+"""The wavelengths of Table 2, nm."""
+
+
+def daylight_basis(wavelengths: Any) -> np.ndarray:
+    """S0, S1, S2 of the CIE daylight at `wavelengths` (W,), nm, shape (3, W), relative; linear between 10 nm steps.
+
+    Preetham 1999, Table 2 (Judd, MacAdam, Wyszecki 1964). ValueError outside 380-780 nm.
+    """
+    w = checked_wavelengths(wavelengths)
+    if w[0] < RANGE[0] or w[-1] > RANGE[1]:
+        raise ValueError(f"daylight wavelengths must lie in [380, 780] nm, got {w[0]:g} to {w[-1]:g}")
+    table = columns("preetham_1999_table_2")
+    return interpolated(w, table["wavelength_nm"], np.stack([table[name] for name in ("S0", "S1", "S2")]))
+
+
+def daylight_spectrum(xyz: Any, wavelengths: Any) -> Array:
+    """Spectral radiance of the daylight with the colour `xyz` (..., 3), W m-2 sr-1 nm-1, shape (..., W).
+
+    Y of `xyz` is in cd m-2 and is kept: the spectrum over 380-780 nm integrates to it. Chromaticity is matched as well
+    as the digits of A.5 allow (within 1e-4 in x and y from D40 to D250). Black gives 0. Far from the
+    daylight locus (saturated colours, no sky's) parts of the spectrum are negative: it is not clipped, so that it stays
+    differentiable and keeps Y. Any array library.
+
+    S = S0 + M1 S1 + M2 S2 (Preetham 1999, A.5), here with M1 and M2 multiplied through by their common denominator and
+    by X + Y + Z: numerator and denominator are then linear in XYZ, and the pole of M1 and M2 cancels.
+
+    >>> d65 = daylight_spectrum([95.047, 100.0, 108.883], [460.0, 560.0, 660.0])
+    >>> (100 * d65 / d65[1]).round(1).tolist()
+    [117.9, 100.0, 80.4]
+    """
+    xyz = floating(xyz)
+    basis, table = daylight_basis(wavelengths), columns("preetham_1999_table_2")["wavelength_nm"]
+    luminances = daylight_basis(table) @ xyz_weights(table)[:, 1]
+    amounts = _total_first(xyz) @ constant(CHROMATICITY_TO_AMOUNTS, xyz)
+    relative = amounts @ constant(basis, xyz)
+    luminance = amounts @ constant(luminances, xyz)
+    return safe_divide(xyz[..., 1], luminance)[..., None] * relative
+
+
+def _total_first(xyz: Array) -> Array:
+    """X + Y + Z, X, Y (..., 3): the chromaticity (1, x, y) times the total."""
+    xp = namespace(xyz)
+    return xp.stack([xp.sum(xyz, axis=-1), xyz[..., 0], xyz[..., 1]], axis=-1)
