@@ -1,0 +1,84 @@
+"""`skydome models`: every model with its parameters, ranges, rung and source, as the classes tell them."""
+
+from dataclasses import MISSING, fields
+from typing import Any
+
+from skydome.cli.models import MODELS, Model
+from skydome.cli.options import AsJson, SkyOptions, option_name
+from skydome.cli.printing import print_json
+
+
+def models(as_json: AsJson = False) -> None:
+    """List the sky models: parameters with their ranges, what they know, and their source."""
+    facts = [model_facts(model) for model in MODELS]
+    if as_json:
+        print_json(facts)
+    else:
+        print_models(list({entry["class"]: entry for entry in facts}.values()))
+
+
+def model_facts(model: Model) -> dict[str, Any]:
+    """A model's name, class, rung, parameters and source."""
+    kind = model.cls()
+    return {
+        "name": model.name,
+        "class": kind.__name__,
+        "rung": rung(kind),
+        "parameters": [
+            parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"
+        ],
+        "fixed": model.fixed,
+        "needs_level": model.levelled,
+        "source": kind.source,
+        "about": (kind.__doc__ or "").strip().splitlines()[0],
+    }
+
+
+def rung(kind: type) -> str:
+    """What the model knows: luminance, colour or spectrum."""
+    import skydome as sd
+
+    if issubclass(kind, sd.SpectralSky):
+        return "spectral"
+    return "colour" if issubclass(kind, sd.ColourSky) else "luminance"
+
+
+def parameter_facts(item: Any, interval: Any) -> dict[str, Any]:
+    """A parameter's name, option, range with unit, and default."""
+    name = "zenith_luminance" if item.name == "value" else item.name
+    option = option_name(name) if name in SkyOptions.__dataclass_fields__ else None
+    facts: dict[str, Any] = {"name": item.name, "option": option, "required": item.default is MISSING}
+    if item.default is not MISSING:
+        facts["default"] = item.default
+    if interval is not None:
+        facts |= {"range": [interval.low, interval.high], "unit": interval.unit}
+    return facts
+
+
+def parameter_text(facts: dict[str, Any]) -> str:
+    """A parameter in a line of the table."""
+    text: str = facts["option"] or facts["name"]
+    if "range" in facts:
+        low, high = facts["range"]
+        text += f" in [{low:g}, {high:g}] {facts['unit']}".rstrip()
+    if facts.get("default") is not None:
+        text += f" = {facts['default']}"
+    return text
+
+
+def print_models(facts: list[dict[str, Any]]) -> None:
+    """The table for people."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=None, pad_edge=False)
+    for heading in ("model", "knows", "parameters", "source"):
+        table.add_column(heading, overflow="fold")
+    table.columns[0].no_wrap = table.columns[1].no_wrap = True
+    for entry in facts:
+        several = "cie-1 ... cie-15" if entry["class"] == "CIE" else entry["name"]
+        parameters = "\n".join(parameter_text(item) for item in entry["parameters"] if item["name"] != "sun")
+        table.add_row(Text(several, style="bold"), entry["rung"], Text(parameters), Text(entry["source"]))
+        table.add_section()
+    Console().print(table)

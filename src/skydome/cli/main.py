@@ -1,0 +1,74 @@
+"""The command `skydome`. Commands import what they need when they run, so that help is quick."""
+
+import sys
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from skydome import __version__
+from skydome.cli.convert import convert
+from skydome.cli.list_models import models
+from skydome.cli.plot import plot
+from skydome.cli.render import light, render
+from skydome.cli.sun import sun
+
+BAD_INPUT, INTERRUPTED = 2, 130
+
+
+class Commands(TyperGroup):
+    """The group of commands; what goes wrong becomes one line on stderr and an exit code."""
+
+    def main(self, *arguments: Any, **choices: Any) -> Any:
+        """Run a command and exit: 0, 2 for bad input, 130 when interrupted."""
+        try:
+            code = super().main(*arguments, **(choices | {"standalone_mode": False}))
+        except KeyboardInterrupt:
+            code = INTERRUPTED
+        except (ValueError, TypeError, OSError, MemoryError, ImportError) as error:
+            code = complain(str(error) or type(error).__name__)
+        except Exception as error:
+            if not hasattr(error, "format_message"):  # typer's own say what is wrong with the line
+                raise
+            code = complain(error.format_message())
+        sys.exit(code if isinstance(code, int) else 0)
+
+
+def complain(message: str) -> int:
+    """Print one line on stderr; the exit code for bad input."""
+    print("skydome:", " ".join(message.split()), file=sys.stderr)
+    return BAD_INPUT
+
+
+app = typer.Typer(
+    cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
+)
+for command in (render, light, sun, plot, models, convert):
+    app.command()(command)
+
+
+def show_version(wanted: bool) -> None:
+    """Print the version and leave."""
+    if wanted:
+        print(f"skydome {__version__}")
+        raise typer.Exit
+
+
+@app.callback(invoke_without_command=True)
+def skydome(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", callback=show_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    """The light of the sky, from a place, a time and the air: maps, numbers and plots by every published model.
+
+    Azimuth runs clockwise from north; angles are degrees here; luminance is in cd m-2, illuminance in lx.
+    """
+    if context.invoked_subcommand is None:
+        print(context.get_help(), end="")
+
+
+def run() -> None:
+    """The console command: exit code 0, or 2 with one line on stderr for bad input."""
+    app(prog_name="skydome")

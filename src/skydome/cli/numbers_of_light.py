@@ -1,0 +1,102 @@
+"""The numbers of a sky: luminance, illuminance and colour temperature, as JSON has them and as a table shows them."""
+
+import math
+from typing import Any
+
+from skydome.cli.scene import Scene
+
+
+def light_facts(scene: Scene) -> dict[str, Any]:
+    """Everything worth printing of a sky, with its unit in the name; numbers, lists and strings only."""
+    import skydome as sd
+    from skydome.dome.integrals import discs_and_rest, horizontal_xyz
+
+    zenith = scene.sky.xyz(sd.ZENITH)
+    diffuse, direct = horizontal_xyz(scene.whole)
+    normal = sum(float(disc.normal_xyz[1]) * float(factor) for disc, factor in discs_and_rest(scene.whole)[0])
+    colours = {"zenith": zenith, "diffuse": diffuse, "global": diffuse + direct}
+    return {
+        **moment_facts(scene),
+        "model": scene.name,
+        "parameters": scene.whole.parameters(),
+        "valid": bool(scene.sky.valid),
+        "zenith_luminance_cd_m2": float(zenith[1]),
+        "illuminance_lx": {
+            "diffuse": float(diffuse[1]),
+            "direct": float(direct[1]),
+            "global": float(diffuse[1] + direct[1]),
+            "direct_normal": normal,
+        },
+        "colour_temperature_K": {name: float(sd.colour_temperature(xyz)) for name, xyz in colours.items()},
+        "duv": {name: float(sd.duv(xyz)) for name, xyz in colours.items()},
+        "notes": list(scene.notes),
+    }
+
+
+def moment_facts(scene: Scene) -> dict[str, Any]:
+    """The sun, and place and time where they are known."""
+    from skydome import deg
+
+    moment = scene.moment
+    if moment is None:
+        return {}
+    angles = {
+        "azimuth_deg": moment.azimuth,
+        "elevation_deg": moment.elevation,
+        "angular_radius_deg": moment.radius / deg,
+    }
+    place = {} if moment.place is None else {"place": dict(vars(moment.place))}
+    return {"sun": angles, **place, **({} if moment.time is None else {"time": moment.time.isoformat()})}
+
+
+def light_rows(facts: dict[str, Any]) -> dict[str, str]:
+    """The same for people."""
+    light, rows = facts["illuminance_lx"], {}
+    if "place" in facts:
+        rows["place"] = "{latitude:g} N, {longitude:g} E, {altitude:g} m".format(**facts["place"])
+        rows["time"] = facts["time"]
+    if "sun" in facts:
+        rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])
+    rows |= {
+        "model": f"{facts['model']}{'' if facts['valid'] else '  (outside its range: extrapolated or clamped)'}",
+        "parameters": parameters_text(facts["parameters"]),
+        "zenith luminance": f"{facts['zenith_luminance_cd_m2']:,.0f} cd m-2",
+        "diffuse horizontal": f"{light['diffuse']:,.0f} lx",
+        "direct horizontal": f"{light['direct']:,.0f} lx ({light['direct_normal']:,.0f} lx facing the sun)",
+        "global horizontal": f"{light['global']:,.0f} lx",
+        "colour temperature": ", ".join(
+            f"{name} {kelvin(value)}" for name, value in facts["colour_temperature_K"].items()
+        ),
+    }
+    return rows | notes_row(facts["notes"])
+
+
+def notes_row(notes: list[str]) -> dict[str, str]:
+    """The notes as one row, if there are any."""
+    return {"note": "\n".join(notes)} if notes else {}
+
+
+def kelvin(value: float) -> str:
+    """A colour temperature as people read it.
+
+    >>> kelvin(6504.4), kelvin(float("inf"))
+    ('6504 K', 'bluer than any black body')
+    """
+    if math.isnan(value):
+        return "none"
+    return f"{value:.0f} K" if math.isfinite(value) else "bluer than any black body"
+
+
+def parameters_text(parameters: dict[str, Any]) -> str:
+    """A sky's parameters in one line, the sun's direction left out; sums as their members."""
+    if "members" in parameters:
+        weights = parameters["weights"]
+        parts = zip(parameters["members"], weights, strict=True)
+        return " + ".join(("" if weight == 1 else f"{weight:g} × ") + parameters_text(part) for part, weight in parts)
+    inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict)]
+    shown = [
+        f"{name} {value:g}" if isinstance(value, int | float) else f"{name} {value}"
+        for name, value in parameters.items()
+        if name not in ("model", "sun", "check") and value is not None and not isinstance(value, dict)
+    ]
+    return f"{parameters['model']}({', '.join(inner + shown)})"

@@ -1,0 +1,148 @@
+"""What the commands ask for: each option written once, grouped in dataclasses that commands take whole.
+
+Only the standard library and typer are imported here, so that help is quick.
+"""
+
+import inspect
+from collections.abc import Callable
+from dataclasses import MISSING, dataclass, fields
+from typing import Annotated, Any, TypeVar, get_type_hints
+
+from typer import Option
+
+WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
+
+AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
+Target = Annotated[
+    str, Option(help="Renderer: native, blender, mitsuba, openexr, usd, three, skylibs, pbrt, cube or fisheye.")
+]
+Half = Annotated[bool, Option("--half/--float", help="16 bit or 32 bit floats in OpenEXR.")]
+
+
+@dataclass(frozen=True)
+class SunOptions:
+    """Where the sun stands: a place and a time, or its direction itself."""
+
+    place: Annotated[
+        str | None,
+        Option(metavar="LAT,LON[,ALT]", help="Degrees north and east, metres above the sea.", rich_help_panel=WHEN),
+    ] = None
+    time: Annotated[
+        str | None,
+        Option(metavar="ISO", help="2026-06-21T15:00+02:00, or a local time with --zone.", rich_help_panel=WHEN),
+    ] = None
+    zone: Annotated[
+        str | None, Option(metavar="NAME", help="IANA time zone, such as Europe/Rome.", rich_help_panel=WHEN)
+    ] = None
+    sun: Annotated[
+        str | None,
+        Option(metavar="AZ,EL", help="The sun's azimuth and elevation, degrees, instead.", rich_help_panel=WHEN),
+    ] = None
+    refraction: Annotated[
+        bool, Option("--refraction", help="The sun as seen through refracting air.", rich_help_panel=WHEN)
+    ] = False
+
+
+@dataclass(frozen=True)
+class SkyOptions(SunOptions):
+    """A sky: the sun, the model and its parameters. None: not given."""
+
+    model: Annotated[str, Option(help="A sky model; `skydome models` lists them.", rich_help_panel=AIR)] = (
+        "hosek-wilkie"
+    )
+    turbidity: Annotated[
+        float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
+    ] = None
+    albedo: Annotated[float | None, Option(help="Ground reflectance, 0-1. [default: 0.2]", rich_help_panel=AIR)] = None
+    blend_overcast: Annotated[
+        float | None,
+        Option(metavar="F", help="Mix in this fraction, 0-1, of Moon and Spencer's overcast.", rich_help_panel=AIR),
+    ] = None
+    check: Annotated[
+        str, Option(metavar="raise|clamp|nan", help="What to do outside a model's ranges.", rich_help_panel=AIR)
+    ] = "raise"
+    no_sun: Annotated[bool, Option("--no-sun", help="Leave out the sun's disc.", rich_help_panel=AIR)] = False
+    direct_normal_irradiance: Annotated[
+        float | None,
+        Option("--dni", help="Direct normal irradiance, W m-2: sets the disc, and Perez's sky.", rich_help_panel=AIR),
+    ] = None
+    diffuse_horizontal_irradiance: Annotated[
+        float | None,
+        Option("--dhi", help="Diffuse horizontal irradiance, W m-2 (perez-all-weather).", rich_help_panel=AIR),
+    ] = None
+    dew_point: Annotated[
+        float | None, Option(help="Dew point, degrees C (perez-all-weather).", rich_help_panel=AIR)
+    ] = None
+    compat: Annotated[
+        str | None, Option(metavar="paper|gendaylit", help="Whose limits perez-all-weather has.", rich_help_panel=AIR)
+    ] = None
+    letters: Annotated[
+        str | None, Option(metavar="A,B,C,D,E", help="Perez's five letters (perez).", rich_help_panel=AIR)
+    ] = None
+    zenith_luminance: Annotated[float | None, Option(help="cd m-2.", rich_help_panel=LEVEL)] = None
+    illuminance: Annotated[float | None, Option(help="Diffuse horizontal, lx.", rich_help_panel=LEVEL)] = None
+    chromaticity: Annotated[
+        str | None, Option(metavar="X,Y", help="CIE x, y. [default: D65, 0.3127,0.3290]", rich_help_panel=LEVEL)
+    ] = None
+
+
+Chosen = TypeVar("Chosen", bound=SunOptions)
+
+
+def taking(kind: type[Chosen]) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Turn a command `f(options: kind, ...)` into one whose parameters are the fields of `kind` and its own others."""
+
+    def expanded(command: Callable[..., None]) -> Callable[..., None]:
+        names = [item.name for item in fields(kind)]
+
+        def called(**values: Any) -> None:
+            options = kind(**{name: values.pop(name) for name in names})
+            command(options, **values)
+
+        own = list(inspect.signature(command).parameters.values())[1:]
+        parameters = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in (*own, *options_of(kind))]
+        called.__name__, called.__doc__ = command.__name__, command.__doc__
+        called.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+        called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        return called
+
+    return expanded
+
+
+def options_of(kind: type) -> list[inspect.Parameter]:
+    """The fields of a dataclass as parameters of a function, with their annotations and defaults."""
+    hints = get_type_hints(kind, include_extras=True)
+    return [
+        inspect.Parameter(
+            item.name,
+            inspect.Parameter.KEYWORD_ONLY,
+            annotation=hints[item.name],
+            default=inspect.Parameter.empty if item.default is MISSING else item.default,
+        )
+        for item in fields(kind)
+    ]
+
+
+def option_name(parameter: str) -> str:
+    """How a parameter is written on the command line.
+
+    >>> option_name("direct_normal_irradiance"), option_name("zenith_luminance")
+    ('--dni', '--zenith-luminance')
+    """
+    short = {"direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi"}
+    return "--" + short.get(parameter, parameter).replace("_", "-")
+
+
+def numbers(text: str, count: int, option: str, example: str) -> tuple[float, ...]:
+    """`count` finite numbers written with commas; ValueError for anything else.
+
+    >>> numbers("180,30", 2, "--sun", "180,30")
+    (180.0, 30.0)
+    """
+    try:
+        values = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != count or not all(abs(value) < float("inf") for value in values):
+        raise ValueError(f"{option} must be {count} numbers such as {example}, got {text!r}")
+    return values

@@ -1,0 +1,121 @@
+"""The light that the options ask for: sky, sun's disc, and what was decided for the user."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from skydome.cli.models import Model, model_named
+from skydome.cli.moment import Moment, moment_of, require_day
+from skydome.cli.options import SkyOptions, numbers
+
+if TYPE_CHECKING:
+    from skydome.skies.sky import ColourSky, Sky
+    from skydome.skies.sun_disc import SunDisc
+
+
+@dataclass(frozen=True)
+class Scene:
+    """`sky` alone and `whole` with the sun's disc; `disc` is None without one; `moment` None where no sun was given."""
+
+    name: str
+    sky: "ColourSky"
+    whole: "ColourSky"
+    disc: "SunDisc | None"
+    moment: Moment | None
+    notes: tuple[str, ...]
+
+
+def scene_of(options: SkyOptions) -> Scene:
+    """The light by the options; ValueError in one line for what cannot be."""
+    model = model_named(options.model)
+    moment = moment_for(model, options)
+    sun = None if moment is None else moment.direction
+    sky, notes = model.build(sun, options)
+    coloured, more = in_colour(sky, options)
+    disc, last = disc_for(model, coloured, moment, options)
+    notes += more + last
+    overcast = None
+    if options.blend_overcast is not None:
+        overcast, note = overcast_for(moment, options)
+        notes.append(note)
+    whole = coloured if disc is None else coloured + disc
+    return Scene(
+        model.name,
+        blended(coloured, overcast, options),
+        blended(whole, overcast, options),
+        disc,
+        moment,
+        tuple(dict.fromkeys(notes)),
+    )
+
+
+def moment_for(model: Model, options: SkyOptions) -> Moment | None:
+    """The sun's moment, by day; None where none is given and the model with its level needs none."""
+    given = options.sun is not None or options.place is not None or options.time is not None
+    levelled = options.zenith_luminance is not None or options.illuminance is not None
+    alone = not model.has_sun and options.blend_overcast is None and options.direct_normal_irradiance is None
+    if alone and (levelled or not given):
+        return moment_of(options) if given else None
+    moment = moment_of(options)
+    require_day(moment, model.name)
+    return moment
+
+
+def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
+    """A sky that has colour: its own, or the chromaticity given or D65's."""
+    import skydome as sd
+    from skydome.skies.daylight_sky import D65
+
+    if isinstance(sky, sd.ColourSky):
+        if options.chromaticity is not None and options.blend_overcast is None:
+            raise ValueError(f"{options.model} knows its own colour; leave out --chromaticity")
+        return sky, []
+    white = D65
+    if options.chromaticity is not None:
+        x, y = numbers(options.chromaticity, 2, "--chromaticity", "0.3127,0.3290 (CIE x,y)")
+        white = (x, y)
+    named = "D65, x, y = 0.3127, 0.3290" if white == D65 else f"x, y = {white[0]:g}, {white[1]:g}"
+    note = f"colour: {type(sky).__name__} knows luminance only; daylight of one chromaticity is given to it, {named}"
+    return sd.Daylight(sky, white, check=options.check), [note]
+
+
+def disc_for(
+    model: Model, sky: "ColourSky", moment: Moment | None, options: SkyOptions
+) -> "tuple[SunDisc | None, list[str]]":
+    """The sun's disc: as the sky tells it, by --dni, or a clear day's; none for overcast skies."""
+    import skydome as sd
+
+    dni = options.direct_normal_irradiance
+    if options.no_sun:
+        return None, ["sun's disc: left out (--no-sun)"]
+    if moment is None or not (model.shines or dni is not None):
+        return None, ["sun's disc: none, the sky is overcast"]
+    if model.own_sun and (dni is None or "direct_normal_irradiance" in model.takes):
+        return sd.SunDisc.of(sky, angular_radius=moment.radius), []
+    turbidity = model.usual(options)
+    if dni is not None:
+        sd.Uniform(dni)  # refuses what is negative or no number
+        disc = sd.SunDisc.from_irradiance(
+            moment.direction, dni, turbidity, angular_radius=moment.radius, check=options.check
+        )
+        return disc, [f"sun's disc: of the direct normal irradiance {dni:g} W m-2"]
+    if model.level is None and options.turbidity is None:
+        return None, [f"sun's disc: none, {model.name} does not tell it; give --turbidity or --dni"]
+    disc = sd.SunDisc(moment.direction, turbidity, moment.radius, check=options.check)
+    return disc, [f"sun's disc: a clear day's of turbidity {turbidity:g}"]
+
+
+def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, str]":
+    """Moon and Spencer's sky of the usual level, in colour."""
+    import skydome as sd
+
+    level = float(sd.overcast_zenith_luminance(None if moment is None else moment.direction))
+    sky, _ = in_colour(sd.MoonSpencer(zenith_luminance=level), options)
+    share = f"{options.blend_overcast:g} of an overcast sky with {level:.0f} cd m-2 at the zenith"
+    return sky, f"blend: {share}; the sun's disc is dimmed with the clear sky"
+
+
+def blended(sky: Any, overcast: "ColourSky | None", options: SkyOptions) -> Any:
+    """The sky with its share of overcast sky."""
+    import skydome as sd
+
+    return sky if overcast is None else sd.Blend(sky, overcast, options.blend_overcast)
