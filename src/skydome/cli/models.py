@@ -98,7 +98,8 @@ class Model:
     def build(self, sun: Any, options: SkyOptions) -> "tuple[Sky, list[str]]":
         """The sky, and what to say of choices that were made for the user. `sun` may be None for a sky without one."""
         self.refuse_what_it_does_not_take(options)
-        parameters, notes = self.parameters(options), []
+        parameters = self.parameters(options)
+        notes: list[str] = []
         if self.levelled:
             level, notes = self.level_of(sun, options)
             parameters |= level

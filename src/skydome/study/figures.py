@@ -84,10 +84,10 @@ def limits(values: np.ndarray) -> tuple[float, float]:
 
 
 def ticks(low: float, high: float) -> list[float]:
-    """Round numbers from low to high: 1, 2, 5 of each power of ten, the ends where fewer than two of these fit."""
+    """Round numbers from low to high, as many of each power of ten as there is room for; else the ends."""
     decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
-    round_numbers = [digit * 10.0**power for power in decades for digit in (1, 2, 5)]
-    inside = [number for number in round_numbers if low <= number <= high]
+    digits = (1, 2, 5) if high > 30 * low else (1, 1.5, 2, 3, 4, 5, 6, 8)
+    inside = [digit * 10.0**power for power in decades for digit in digits if low <= digit * 10.0**power <= high]
     return inside if len(inside) > 1 else [low, high]
 
 

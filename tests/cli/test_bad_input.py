@@ -1,0 +1,143 @@
+"""Bad input: exit code 2, one clear line on stderr, no traceback, no file left."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+PLACE = ("--place", "45.07,7.69")
+TIME = ("--time", "2026-06-21T15:00+02:00")
+DAY = (*PLACE, *TIME)
+PEREZ = ("--model", "perez-all-weather")
+
+CASES = {
+    "naive time": ((*PLACE, "--time", "2026-06-21T15:00"), ("+02:00", "--zone Europe/Rome")),
+    "no time": (PLACE, ("--time",)),
+    "no sun": ((), ("--place", "--sun")),
+    "both suns": ((*DAY, "--sun", "180,30"), ("both",)),
+    "not a time": ((*PLACE, "--time", "noon"), ("ISO 8601", "noon")),
+    "unknown zone": ((*DAY, "--zone", "Europe/Rom"), ("Europe/Rome",)),
+    "latitude": (("--place", "91,7.69", *TIME), ("latitude", "[-90, 90]", "91")),
+    "place": (("--place", "Turin", *TIME), ("latitude,longitude", "Turin")),
+    "turbidity": ((*DAY, "--turbidity", "0.5"), ("turbidity", "[1, 10]", "0.5")),
+    "turbidity of Preetham": ((*DAY, "--model", "preetham", "--turbidity", "8"), ("[2, 6]", "8")),
+    "turbidity, no number": ((*DAY, "--turbidity", "thick"), ("--turbidity", "number")),
+    "turbidity NaN": ((*DAY, "--turbidity", "nan"), ("turbidity", "nan")),
+    "albedo": ((*DAY, "--albedo", "1.2"), ("albedo", "[0, 1]", "1.2")),
+    "albedo of the ground alone": ((*DAY, "--model", "preetham", "--albedo", "1.2"), ("albedo", "[0, 1]", "1.2")),
+    "ground": ((*DAY, "--ground", "green"), ("black", "green")),
+    "model": ((*DAY, "--model", "preethan"), ("perhaps preetham", "cie-1 ... cie-15")),
+    "target": ((*DAY, "--target", "maya"), ("blender", "pbrt", "maya")),
+    "space": ((*DAY, "--space", "p3"), ("srgb", "p3")),
+    "height": ((*DAY, "--height", "63"), ("multiple of 2", "63")),
+    "height of a cube map": ((*DAY, "--target", "cube", "--height", "64"), ("multiple of 6", "64")),
+    "height zero": ((*DAY, "--height", "0"), ("height", "0")),
+    "no level": (
+        (*DAY, "--model", "perez", "--letters", "-1,-0.32,10,-3,0.45"),
+        ("--zenith-luminance", "--illuminance"),
+    ),
+    "no level, no sun": (("--model", "uniform"), ("--zenith-luminance", "--illuminance")),
+    "two levels": ((*DAY, "--model", "cie-3", "--illuminance", "1", "--zenith-luminance", "1"), ("either", "both")),
+    "two levels, by unit sky": (
+        (*DAY, "--model", "uniform", "--illuminance", "1", "--zenith-luminance", "1"),
+        ("either", "both"),
+    ),
+    "level below 0": ((*DAY, "--model", "uniform", "--illuminance", "-1"), ("-1",)),
+    "level of a model that has its own": ((*DAY, "--zenith-luminance", "1"), ("hosek-wilkie", "--zenith-luminance")),
+    "colour of a model that has its own": ((*DAY, "--chromaticity", "0.3,0.3"), ("--chromaticity",)),
+    "chromaticity": ((*DAY, "--model", "cie-1", "--chromaticity", "0.9,0.9"), ("chromaticity", "0.9")),
+    "no letters": ((*DAY, "--model", "perez", "--illuminance", "1"), ("--letters",)),
+    "four letters": ((*DAY, "--model", "perez", "--illuminance", "1", "--letters", "1,2,3,4"), ("5 numbers",)),
+    "no dni": ((*DAY, *PEREZ, "--dhi", "100"), ("--dni", "W m-2")),
+    "no dhi": ((*DAY, *PEREZ, "--dni", "100"), ("--dhi", "W m-2")),
+    "dni below 0": ((*DAY, *PEREZ, "--dni", "-3", "--dhi", "100"), ("direct_normal_irradiance", "-3")),
+    "dni below 0, disc": ((*DAY, "--dni", "-3"), ("-3",)),
+    "compat": ((*DAY, *PEREZ, "--dni", "300", "--dhi", "100", "--compat", "x"), ("gendaylit", "x")),
+    "dhi of another model": ((*DAY, "--dhi", "100"), ("hosek-wilkie", "--dhi")),
+    "check": ((*DAY, "--check", "ignore"), ("clamp", "ignore")),
+    "blend": ((*DAY, "--blend-overcast", "1.5"), ("fraction", "[0, 1]", "1.5")),
+    "sun": (("--sun", "180"), ("--sun", "2 numbers")),
+    "sun beyond the zenith": (("--sun", "180,91"), ("--sun", "[-90, 90]", "91")),
+    "option": ((*DAY, "--turbidty", "3"), ("--turbidty", "--turbidity")),
+    "option without value": ((*DAY, "--turbidity"), ("--turbidity",)),
+}
+
+NIGHTS = {
+    "2026-06-21T21:25+02:00": "civil twilight",
+    "2026-06-21T22:20+02:00": "nautical twilight",
+    "2026-06-21T23:00+02:00": "astronomical twilight",
+    "2026-12-21T23:00+01:00": "night",
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_one_line_says_what_got_and_allowed(refused, tmp_path, case):
+    arguments, words = CASES[case]
+    line = refused("render", *arguments, "-o", tmp_path / "sky.exr")
+    assert all(word in line for word in words), line
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-12", "moon-spencer"])
+@pytest.mark.parametrize("instant", NIGHTS)
+def test_a_sun_below_the_horizon_is_refused_with_its_twilight(refused, tmp_path, model, instant):
+    line = refused("render", *PLACE, "--time", instant, "--model", model, "-o", tmp_path / "sky.exr")
+    assert f"({NIGHTS[instant]})" in line
+    assert model in line
+    assert "end at elevation 0" in line
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["sky.jpg", "sky", "nowhere/sky.exr"])
+def test_a_file_that_cannot_be_written_is_refused_before_the_work(refused, tmp_path, name):
+    refused("render", *DAY, "-o", tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_or_a_locked_folder_is_refused(refused, tmp_path):
+    (tmp_path / "sky.exr").mkdir()
+    assert "folder" in refused("render", *DAY, "--height", 32, "-o", tmp_path / "sky.exr")
+    locked = "/proc/sky.exr" if os.path.isdir("/proc") else os.fspath(tmp_path / "x" / "sky.exr")
+    refused("render", *DAY, "--height", 32, "-o", locked)
+
+
+def test_a_failed_render_keeps_the_file_that_was_there(refused, tmp_path):
+    there = tmp_path / "sky.exr"
+    there.write_text("mine")
+    refused("render", *DAY, "--turbidity", "11", "-o", there)
+    assert there.read_text() == "mine"
+
+
+def test_the_other_commands_refuse_too(refused, tmp_path):
+    assert "--place" in refused("sun")
+    assert "naive" not in refused("sun", *PLACE, "--time", "2026-06-21T15:00")
+    assert "--normal" in refused("light", *DAY, "--normal", "east")
+    assert ".png" in refused("plot", *DAY, "-o", tmp_path / "plot.exr")
+    assert "nothing.exr" in refused("convert", tmp_path / "nothing.exr", "-o", tmp_path / "b.exr")
+    assert "No such command" in refused("rendr")
+    broken = tmp_path / "broken.exr"
+    broken.write_text("no picture")
+    assert "OpenEXR" in refused("convert", broken, "-o", tmp_path / "b.exr")
+    assert [entry.name for entry in tmp_path.iterdir()] == ["broken.exr"]
+
+
+def test_a_process_ends_with_2_and_one_line():
+    done = subprocess.run(
+        [sys.executable, "-m", "skydome", "light", *PLACE, "--time", "2026-06-21T15:00"], capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert done.stderr.startswith("skydome: a time needs its zone")
+
+
+def test_an_interrupt_ends_with_130(tmp_path):
+    command = [sys.executable, "-m", "skydome", "render", *DAY, "--height", "8192", "-o", str(tmp_path / "sky.exr")]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(2)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    assert "Traceback" not in errors
+    assert list(tmp_path.iterdir()) == []
