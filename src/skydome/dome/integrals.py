@@ -14,7 +14,7 @@ RINGS, COLUMNS = 96, 192
 
 
 def projected(normals: Array, like: Array) -> tuple[np.ndarray, Array]:
-    """Directions (N, 3) of the hemisphere and their projected solid angles on planes with `normals` (..., 3): (..., N)."""
+    """Directions (N, 3) of the hemisphere, and their projected solid angles (..., N) on planes with `normals` (..., 3)."""
     directions, solid_angles = hemisphere(RINGS, COLUMNS)
     nodes = constant(directions, like)
     cosines = at_least(normals @ nodes.T, 0.0)
@@ -26,7 +26,7 @@ def discs_and_rest(sky: Sky) -> tuple[list[tuple[SunDisc, Any]], list[Sky]]:
     discs: list[tuple[SunDisc, Any]] = []
     rest: list[Sky] = []
     for part in sky.parts:
-        inner = part
+        inner: Any = part
         factor: Any = 1.0
         while hasattr(inner, "members") and len(inner.members) == 1:
             factor, inner = factor * inner.weights[0], inner.members[0]

@@ -34,8 +34,8 @@ def render(
     """The sky as an `EnvironmentMap`: linear RGB in which (1, 1, 1) means 1 cd m-2.
 
     `projection` is `Equirectangular()` (native: north at the left edge, width 2 x height) or any other. Texels below
-    the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`,
-    or by default the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the texels that
+    the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`
+    or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the texels that
     it covers, its energy kept. TypeError for a sky without colour, ValueError for a height that the projection cannot
     take, or for a sky of more than one condition. Memory: the map and about 25 MB.
 

@@ -37,18 +37,20 @@ def namespace(*values: Any) -> Any:
         raise TypeError(type_error.format(" and ".join(libraries))) from error
 
 
+def is_number(value: Any) -> bool:
+    """True for a bare number, or a list of them, that has no dtype of its own to keep."""
+    return isinstance(value, int | float | np.generic | list | tuple)
+
+
 def floating(value: Any, like: Any = None) -> Array:
-    """`value` as a floating array, shape kept; numbers and lists take dtype and device of the array `like`.
+    """The value as a floating array, shape kept; numbers and lists take dtype, library and device of the array `like`.
 
     Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
     """
     if value is None:
         raise TypeError("expected an array or a number, got None")
-    if like is not None and not is_numpy(like) and is_numpy(value) and not isinstance(value, np.ndarray):
-        xp = namespace(like)
-        device = getattr(like, "device", None) if xp.__name__.endswith("torch") else None
-        kwargs = {} if device is None else {"device": device}
-        return xp.asarray(value, dtype=like.dtype, **kwargs)
+    if hasattr(like, "dtype") and is_number(value):
+        return constant(value, like)
     if is_numpy(value):
         array = np.asarray(value)
         return array if array.dtype.kind == "f" else array.astype(np.float64)
@@ -57,14 +59,14 @@ def floating(value: Any, like: Any = None) -> Array:
 
 
 def constant(table: Any, like: Array) -> Array:
-    """A NumPy table as an array of the library, dtype and device of `like`."""
+    """A number, list or NumPy table as an array of the library, dtype and device of `like`."""
     if is_numpy(like):
         dtype = np.asarray(like).dtype
         return np.asarray(table, dtype=dtype if dtype.kind == "f" else np.float64)
     xp = namespace(like)
     if xp.__name__.endswith("torch"):
-        return xp.asarray(table, dtype=like.dtype, device=like.device)
-    return xp.asarray(table, dtype=like.dtype)
+        return xp.asarray(np.array(table), dtype=like.dtype, device=like.device)
+    return xp.asarray(np.asarray(table), dtype=like.dtype)
 
 
 def is_concrete(value: Any) -> bool:
@@ -88,7 +90,7 @@ def safe_sqrt(x: Array) -> Array:
 
 
 def safe_divide(numerator: Array, denominator: Array) -> Array:
-    """numerator / denominator, and 0 where the denominator is 0, without warnings or NaN gradients."""
+    """Quotient, and 0 where the denominator is 0, without warnings or NaN gradients."""
     xp = namespace(numerator, denominator)
     usable = denominator != 0
     ratio = numerator / xp.where(usable, denominator, xp.ones_like(denominator))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 MIDDLE_GREY = 0.18
-BLEACH = 8.0  # peak value at which a colour has lost a quarter of its saturation
+BLEACH = 4.0  # peak value at which a colour has lost a quarter of its saturation
 
 
 class Curve(ABC):

@@ -26,7 +26,7 @@ class CIE(LuminanceFormulaSky):
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=60 * sd.deg)
     >>> sky = sd.CIE(sun, type=12, zenith_luminance=1.0)
     >>> round(float(sky.luminance(sd.direction(azimuth=0.0, elevation=45 * sd.deg))), 7)
-    0.4544525
+    0.4544524
     """
 
     type: Any = 12
@@ -75,8 +75,8 @@ class CIEClear(LuminanceFormulaSky):
 
     def coefficients(self) -> Array:
         """R A ... I of the one channel, shape (1, 10)."""
-        numbers = (constant(value, self.sun) for value in (-1.0, -0.32, 10.0, -3.0, 0.45))
-        relative = from_perez(1.0, *numbers, 0.91)
+        a, b, c, d, e = (constant(value, self.sun) for value in (-1.0, -0.32, 10.0, -3.0, 0.45))
+        relative = from_perez(1.0, a, b, c, d, e, 0.91)
         return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
 
 

@@ -2,9 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
-from skydome.ground.arrays import Array, floating
+import numpy as np
+
+from skydome.ground.arrays import Array, floating, namespace
 from skydome.skies.sky import ColourSky, Sky, SpectralSky
 from skydome.skies.validity import Range, require
 
@@ -19,26 +22,28 @@ class Combination(Sky):
     @property
     def parts(self) -> tuple[Sky, ...]:
         """The members with their weights, flat, as single-member combinations where a weight is not 1."""
+        if len(self.members) == 1 and len(self.members[0].parts) == 1:
+            return (self,)
         flat: list[Sky] = []
         for sky, weight in zip(self.members, self.weights, strict=True):
             flat += [part if is_one(weight) else combine((part,), (weight,)) for part in sky.parts]
-        return tuple(flat) if len(self.members) > 1 else (self,)
+        return tuple(flat)
 
     @property
     def valid(self) -> Array:
         """True where every member is valid."""
-        result = self.members[0].valid
-        for sky in self.members[1:]:
-            result = result & sky.valid
-        return result
+        return reduce(lambda a, b: a & b, [sky.valid for sky in self.members])
 
     @property
     def is_day(self) -> Array:
         """True where every member has its sun up."""
-        result = self.members[0].is_day
-        for sky in self.members[1:]:
-            result = result & sky.is_day
-        return result
+        days = [sky.is_day for sky in self.members if hasattr(sky, "sun")] or [np.asarray(True)]
+        return reduce(lambda a, b: a & b, days)
+
+    @property
+    def follows_one_sun(self) -> bool:
+        """True where night falls on every member by itself, or no member has a sun."""
+        return len({hasattr(part, "sun") for part in self.members}) == 1
 
     def total(self, method: str, axes: int, *arguments: Any) -> Array:
         """Sum over the members of weight x light, the light having `axes` trailing axes that weights lack."""
@@ -49,7 +54,10 @@ class Combination(Sky):
                 weight = floating(weight, like=light)
                 light = light * (weight[..., None] if axes and getattr(weight, "ndim", 0) else weight)
             result = light if result is None else result + light
-        return result
+        if self.follows_one_sun:
+            return result
+        day = self.is_day[..., None] if axes else self.is_day
+        return namespace(result).where(day, result, result * 0)
 
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""
@@ -98,7 +106,7 @@ def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:
     return kind(tuple(skies), tuple(weights))
 
 
-def Blend(clear: Sky, overcast: Sky, fraction: Any) -> Combination:  # noqa: N802 (a kind of sky to its users)
+def Blend(clear: Sky, overcast: Sky, fraction: Any) -> Combination:
     """The sky (1 - fraction) clear + fraction overcast, for hazy days between the two (Preetham 1999, section 5).
 
     `fraction` in [0, 1], any shape that broadcasts with the skies' parameters; ValueError outside.

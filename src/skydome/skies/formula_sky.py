@@ -31,7 +31,7 @@ class FormulaSky(Sky):
         """The numbers R A B ... I for each channel, shape (..., channels, 10)."""
 
     def channels(self, directions: Array, coefficients: Array | None = None) -> Array:
-        """The formula's channels toward each direction (..., 3), shape (..., channels); 0 below horizon and at night."""
+        """The channels toward each direction (..., 3), shape (..., channels); 0 below the horizon and at night."""
         namespace(directions, self.sun)
         directions = checked_directions(directions)
         sun = floating(self.formula_sun, like=directions)

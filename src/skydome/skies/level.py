@@ -49,14 +49,14 @@ def levelled(
     return xp.concat([xp.broadcast_to(level, (*tuple(rest.shape[:-1]), 1)), rest], axis=-1)
 
 
-def clear_zenith_luminance(sun: Array, turbidity: Any = 2.75) -> Array:
-    """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38), the formula of `gensky`.
+def clear_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
+    """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38), the formula and turbidity of `gensky`.
 
     Karayel, Navvab, Ne'eman and Selkowitz (1984). Grows without bound near the zenith: elevation is held at 75 degrees.
 
     >>> from skydome import deg, direction
     >>> round(float(clear_zenith_luminance(direction(azimuth=0.0, elevation=45 * deg))))
-    2354
+    1941
     """
     xp = namespace(sun)
     height = elevation(sun)

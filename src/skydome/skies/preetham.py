@@ -36,7 +36,7 @@ def zenith_luminance(turbidity: Array, sun_zenith: Array) -> Array:
 
 
 def zenith_chromaticity(turbidity: Array, sun_zenith: Array, rows: tuple[tuple[float, ...], ...]) -> Array:
-    """x or y at the zenith, shape (...,): a cubic in the sun's zenith angle with coefficients quadratic in turbidity."""
+    """Chromaticity x or y at the zenith, shape (...,): cubic in the sun's zenith angle, quadratic in turbidity."""
     cubics = [((row[0] * sun_zenith + row[1]) * sun_zenith + row[2]) * sun_zenith + row[3] for row in rows]
     return (cubics[0] * turbidity + cubics[1]) * turbidity + cubics[2]
 
@@ -58,7 +58,7 @@ class Preetham(FormulaSky, SpectralSky):
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
     >>> sky = sd.Preetham(sun, turbidity=3.0)
     >>> round(float(sky.luminance(sd.ZENITH)))
-    4745
+    7320
     """
 
     turbidity: Any
@@ -83,7 +83,7 @@ class Preetham(FormulaSky, SpectralSky):
             channels.append(from_perez(value / at_zenith, *letters(turbidity, rows)))
         return xp.concat(channels, axis=-2)
 
-    def xyY(self, directions: Array) -> Array:  # noqa: N802 (the CIE's name)
+    def xyY(self, directions: Array) -> Array:
         """Chromaticities x and y and luminance Y, cd m-2, shape (..., 3); all 0 below the horizon and at night."""
         return self.channels(directions)
 

@@ -51,12 +51,15 @@ class Sky(ABC):
         """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
         like = getattr(self, "sun", None)
         checks = [inside(floating(getattr(self, name), like=like), interval) for name, interval in self.ranges.items()]
-        return reduce(lambda a, b: a & b, checks, self.is_day)
+        checks += [] if like is None and checks else [self.is_day]
+        return reduce(lambda a, b: a & b, checks)
 
     def blanked(self, light: Array, directions: Array, channels: int = 1) -> Array:
         """`light` with 0 below the horizon and at night, and NaN outside validity where check is "nan"."""
         xp = namespace(light, directions)
-        seen = self.is_day & (directions[..., 2] >= 0)
+        seen = directions[..., 2] >= 0
+        if hasattr(self, "sun"):
+            seen = self.is_day & seen
         allowed = (self.valid | ~self.is_day) if self.check == "nan" else None
         if channels:
             seen, allowed = seen[..., None], None if allowed is None else allowed[..., None]
@@ -69,13 +72,13 @@ class Sky(ABC):
         return (self,)
 
     def __add__(self, other: "Sky") -> "Sky":
-        """This light and the other's together, on the highest rung that both know."""
+        """The light of both together, on the highest rung that both know."""
         from skydome.skies.combination import combine
 
         return combine((self, other), (1.0, 1.0))
 
     def __mul__(self, factor: Any) -> "Sky":
-        """This sky with its light multiplied by `factor`."""
+        """The sky with its light multiplied by `factor`."""
         from skydome.skies.combination import combine
 
         return combine((self,), (factor,))

@@ -14,7 +14,7 @@ from skydome.ground.arrays import Array, at_least, constant, floating, limited, 
 from skydome.ground.directions import angle_between, checked_directions, elevation, tangent_frame
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
-from skydome.skies.hosek_wilkie import BANDS, band_weights, turbidity_weights
+from skydome.skies.hosek_wilkie import band_weights, turbidity_weights
 from skydome.skies.sky import Sky, SpectralSky
 from skydome.skies.validity import Range
 
@@ -36,7 +36,7 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
     piece = limited(xp.floor(position), 0.0, 44.0)
     x = sun_elevation - (piece / 45) ** 3 * (np.pi / 2)
     table = constant(archive("hosek_wilkie_2013")["solar_radiance"].transpose(1, 0, 2, 3), x)  # (45, 10, 11, 4)
-    cubic = table[xp.astype(piece, xp.int64)]
+    cubic = table[xp.astype(piece, xp.int32)]
     x = x[..., None, None]
     bands = ((cubic[..., 3] * x + cubic[..., 2]) * x + cubic[..., 1]) * x + cubic[..., 0]
     return xp.sum(bands * turbidity_weights(turbidity)[..., None], axis=-2)
@@ -44,11 +44,12 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
 
 def limb_coefficients(wavelengths: Any) -> np.ndarray:
     """Coefficients of the limb polynomial in ascending powers of mu at wavelengths (W,) nm, shape (W, 6)."""
-    return band_weights(wavelengths).T @ archive("hosek_wilkie_2013")["limb_darkening"]
+    coefficients: np.ndarray = band_weights(wavelengths).T @ archive("hosek_wilkie_2013")["limb_darkening"]
+    return coefficients
 
 
 def limb_darkening(mu: Array, wavelengths: Any) -> Array:
-    """Radiance relative to the centre's, shape (..., W); mu (...,) is the cosine of the angle from the sun's surface normal."""
+    """Radiance relative to the centre's, shape (..., W); mu (...,) is the cosine on the sun's surface."""
     powers = mu[..., None] ** constant(np.arange(6.0), mu)
     return powers @ constant(limb_coefficients(wavelengths).T, mu)
 
@@ -70,7 +71,7 @@ class SunDisc(SpectralSky):
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
     >>> disc = sd.SunDisc(sun, turbidity=3.0)
     >>> round(float(disc.illuminance(sun)), -2)
-    87200.0
+    83600.0
     """
 
     sun: Array
@@ -100,7 +101,7 @@ class SunDisc(SpectralSky):
     def from_irradiance(
         cls, sun: Array, direct_normal_irradiance: Any, turbidity: Any = 3.0, efficacy: Any = 105.0, **others: Any
     ) -> "SunDisc":
-        """A disc of a measured direct normal irradiance, W m-2, by a luminous efficacy, lm W-1 (93-115 for a clear sky)."""
+        """A disc of a measured direct normal irradiance, W m-2, by a luminous efficacy, lm W-1."""
         level = floating(direct_normal_irradiance) * efficacy
         return cls(sun, turbidity, direct_normal_illuminance=level, **others)
 
@@ -123,7 +124,7 @@ class SunDisc(SpectralSky):
 
     @property
     def factor(self) -> Array:
-        """What the published light is multiplied by, shape (...,): 1, or what the given illuminance asks; 0 at night."""
+        """What the published light is multiplied by, (...,): 1, or what the given illuminance asks; 0 at night."""
         level = self.direct_normal_illuminance
         xp = namespace(self.sun)
         day = xp.astype(self.is_day, floating(self.sun).dtype)
@@ -167,9 +168,9 @@ class SunDisc(SpectralSky):
         return self.blanked(light, directions)
 
     def points(self, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """Directions (count, 3) evenly over one disc (a sunflower spiral) and the XYZ of the light each carries, (count, 3).
+        """Directions (count, 3) evenly over one disc, and the XYZ of the light that each carries, (count, 3).
 
-        The second sums to `normal_xyz` exactly: the way maps take in the disc without losing energy. Vogel 1979.
+        A sunflower spiral (Vogel 1979). The second sums to `normal_xyz` exactly: so maps lose no energy.
         """
         sun = np.asarray(self.sun, dtype=np.float64)
         if sun.shape != (3,):
