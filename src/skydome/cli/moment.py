@@ -13,6 +13,16 @@ TWILIGHTS = ((-6, "civil twilight"), (-12, "nautical twilight"), (-18, "astronom
 """Lowest elevation of the sun, degrees, of each, and its name."""
 
 
+def place_text(latitude: float, longitude: float, altitude: float) -> str:
+    """A place as people write it.
+
+    >>> place_text(-33.9, 151.2, 20.0)
+    '33.9° S, 151.2° E, 20 m'
+    """
+    north, east = "S" if latitude < 0 else "N", "W" if longitude < 0 else "E"
+    return f"{abs(latitude):g}° {north}, {abs(longitude):g}° {east}, {altitude:g} m"
+
+
 @dataclass(frozen=True)
 class Moment:
     """Where the sun stands, `direction` (3,), its angular radius (rad), and the place and time if these were given."""

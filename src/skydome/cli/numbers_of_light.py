@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from skydome.cli.moment import place_text
 from skydome.cli.scene import Scene
 
 
@@ -53,7 +54,7 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
     """The same for people."""
     light, rows = facts["illuminance_lx"], {}
     if "place" in facts:
-        rows["place"] = "{latitude:g} N, {longitude:g} E, {altitude:g} m".format(**facts["place"])
+        rows["place"] = place_text(**facts["place"])
         rows["time"] = facts["time"]
     if "sun" in facts:
         rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])

@@ -2,11 +2,12 @@
 
 from datetime import datetime, timedelta
 from pathlib import Path
+from textwrap import wrap
 from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.moment import Moment
+from skydome.cli.moment import Moment, place_text
 from skydome.cli.numbers_of_light import light_facts, notes_row, parameters_text
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import print_json, print_table
@@ -27,7 +28,7 @@ def plot(
     scene = scene_of(options)
     moment = scene.moment
     path = None if moment is None else day_path(moment)
-    lines = [parameters_text(scene.sky.parameters())]
+    lines = wrap(parameters_text(scene.sky.parameters()), 90)
     if moment is not None:
         lines.append(caption(moment))
     figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
@@ -44,10 +45,7 @@ def caption(moment: Moment) -> str:
     """Place, time and the sun's angles in a line."""
     parts = []
     if moment.place is not None and moment.time is not None:
-        parts += [
-            "{latitude:g}° N, {longitude:g}° E".format(**vars(moment.place)),
-            moment.time.isoformat(" ", "minutes"),
-        ]
+        parts += [place_text(**vars(moment.place)), moment.time.isoformat(" ", "minutes")]
     return ", ".join([*parts, f"sun at azimuth {moment.azimuth:.1f}°, elevation {moment.elevation:.1f}°"])
 
 

@@ -4,7 +4,7 @@ from dataclasses import asdict
 from datetime import UTC, datetime
 from typing import Any
 
-from skydome.cli.moment import Moment, aware_time
+from skydome.cli.moment import Moment, aware_time, place_text
 from skydome.cli.options import AsJson, SunOptions, taking
 from skydome.cli.printing import show
 
@@ -64,7 +64,7 @@ def sun_rows(facts: dict[str, Any], time: datetime) -> dict[str, str]:
         return f"{clock(events[first], time)} to {clock(events[last], time)}"
 
     return {
-        "place": "{latitude:g} N, {longitude:g} E, {altitude:g} m".format(**facts["place"]),
+        "place": place_text(**facts["place"]),
         "time": facts["time"],
         "sun (SPA)": position(**facts["spa"]),
         "refracted": "elevation {elevation_deg:.4f}°".format(**facts["refracted"]),

@@ -113,6 +113,8 @@ def draw_compass(axes: Any) -> None:
 
 def draw_path(axes: Any, along: np.ndarray, hours: np.ndarray, labels: list[str]) -> None:
     """The sun's path above the horizon, with a dot and a number at each hour."""
+    from matplotlib.patheffects import Normal, Stroke
+
     x, y = on_disc(along)
     up = along[..., 2] > 0
     axes.plot(np.where(up, x, np.nan), np.where(up, y, np.nan), color="white", lw=1.4, zorder=4)
@@ -120,7 +122,8 @@ def draw_path(axes: Any, along: np.ndarray, hours: np.ndarray, labels: list[str]
         if direction[2] > 0:
             x, y = on_disc(direction)
             axes.plot(x, y, "o", color="white", markeredgecolor="black", markeredgewidth=0.5, markersize=4, zorder=4)
-            axes.annotate(label, (x, y), (4, 4), textcoords="offset points", color="white", fontsize=8, zorder=4)
+            text = axes.annotate(label, (x, y), (4, 4), textcoords="offset points", color="white", fontsize=8, zorder=4)
+            text.set_path_effects([Stroke(linewidth=1.5, foreground="black"), Normal()])
 
 
 def save_figure(figure: "Figure", path: str | PathLike[str]) -> None:
