@@ -80,7 +80,9 @@ def read_hdr(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.
 
     ValueError with one line for a file that is no such picture, ends early, is XYZE or turned, or is above `max_bytes`.
     """
-    data = Path(path).read_bytes() if Path(path).stat().st_size <= max_bytes else b""
+    if Path(path).stat().st_size > max_bytes:
+        raise ValueError(f"a picture must take at most {max_bytes} bytes, got {Path(path).stat().st_size} in {path}")
+    data = Path(path).read_bytes()
     header, size, start = parse_header(data, path)
     rows, columns = size
     if rows * columns * 12 > max_bytes:

@@ -69,7 +69,7 @@ def auto_exposure(luminance: np.ndarray, solid_angles: Any = 1.0) -> float:
     """Factor that brings the scene's usual luminance, its logarithmic mean, to middle grey (Reinhard 2002, eq. 1).
 
     `luminance` (H, W) counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of the
-    median (ground, night), and the brightest hundredth of the solid angle (the sun). 1 where all is black.
+    brightest tenth (black ground), and the brightest hundredth of the solid angle (the sun). 1 where all is black.
 
     >>> round(auto_exposure(np.array([[0.0, 2000.0, 2000.0, 1.6e9]]), [1.0, 1.0, 1.0, 1e-5]) * 2000, 9)
     0.18
@@ -82,7 +82,13 @@ def auto_exposure(luminance: np.ndarray, solid_angles: Any = 1.0) -> float:
         return 1.0
     order = np.argsort(values[lit])
     values, weights = values[lit][order].astype(np.float64), weights[lit][order]
-    share = np.cumsum(weights) / weights.sum()
-    median = values[np.searchsorted(share, 0.5)]
-    usual = (values >= median / 1000) & ((share <= 0.99) | (values <= median))
+    usual = values >= at_share(values, weights, 0.9) / 1000
+    values, weights = values[usual], weights[usual]
+    usual = values <= at_share(values, weights, 0.99)
     return MIDDLE_GREY / float(np.exp(np.average(np.log(values[usual]), weights=weights[usual])))
+
+
+def at_share(values: np.ndarray, weights: np.ndarray, share: float) -> float:
+    """The value below which that share of the weight lies; values (n,) ascending."""
+    total = np.cumsum(weights)
+    return float(values[np.searchsorted(total, share * total[-1])])

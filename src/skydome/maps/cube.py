@@ -67,11 +67,10 @@ class CubeMap(Projection):
         The rectangle from the face's middle to (s, t) spans atan(s t / sqrt(1 + s^2 + t^2)).
         """
         side = self.shape(height)[1]
-        edge = 2 * np.arange(side + 1) / side - 1
-        s, t = edge[None, :], edge[:, None]
-        corner = np.arctan2(s * t, np.sqrt(1 + s * s + t * t))
-        face = np.diff(np.diff(corner, axis=0), axis=1)
-        return np.tile(face, (6, 1))[rows]
+        s = 2 * np.arange(side + 1) / side - 1
+        top = 2 * (np.arange(height)[rows, None] % side) / side - 1
+        above, below = (np.arctan2(s * t, np.sqrt(1 + s * s + t * t)) for t in (top, top + 2 / side))
+        return np.diff(below - above, axis=1)
 
     def vector_solid_angles(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:
         """Exact integral of the direction over each texel, sr, shape (r, height / 6, 3).

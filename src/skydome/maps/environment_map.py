@@ -14,7 +14,7 @@ from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.integrals import cosine_integral, light_vector
 from skydome.maps.lookup import bilinear
 from skydome.maps.projection import Projection
-from skydome.maps.resample import resample
+from skydome.maps.resample import density, resample
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,8 +98,7 @@ class EnvironmentMap:
         """The height at which another layout has texels of about the same size; the same height in the same layout."""
         if isinstance(projection, type(self.projection)):
             return self.height
-        angles = np.broadcast_to(self.projection.solid_angles(self.height), self.pixels.shape[:2])
-        return projection.height_for(4 * math.pi * np.count_nonzero(angles) / float(angles.sum()))
+        return projection.height_for(density(self.projection, self.height))
 
     def rotated(self, angle: float) -> "EnvironmentMap":
         """The map turned clockwise about the vertical by `angle` radians: everything's azimuth grows by it.
@@ -109,8 +108,8 @@ class EnvironmentMap:
         if isinstance(self.projection, Equirectangular):
             left = math.fmod(self.projection.azimuth_left + angle, 2 * math.pi)
             return replace(self, projection=replace(self.projection, azimuth_left=left))
-        fine = Equirectangular()
-        turned = self.resampled(fine).rotated(angle)
+        between = Equirectangular()
+        turned = self.resampled(between, 2 * self.height_in(between)).rotated(angle)
         return turned.resampled(self.projection, self.height)
 
     def save(self, path: str | PathLike[str], **choices: Any) -> None:

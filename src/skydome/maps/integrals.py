@@ -32,10 +32,11 @@ def cosine_integral(values: np.ndarray, projection: Projection, normal: np.ndarr
     by 8 x 8 directions within them.
     """
     rows, columns = values.shape
+    angles = np.broadcast_to(projection.solid_angles(rows), values.shape)
     total = 0.0
     for part in row_chunks(rows, columns):
         projected = projection.vector_solid_angles(rows, part) @ normal
-        size = np.broadcast_to(projection.solid_angles(rows, part), projected.shape)
+        size = angles[part]
         i, j = np.nonzero(np.abs(projected) < size * (3 * np.pi / rows))  # a texel reaches less far than that
         projected[i, j] = front_part(projection, rows, i + part.start, j, normal, projected[i, j], size[i, j])
         total += float(np.sum(values[part] * np.maximum(projected, 0.0)))

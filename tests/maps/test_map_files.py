@@ -1,0 +1,230 @@
+"""Maps as files: units, place, time and provenance come back; bad files and failed writing leave one clear line."""
+
+import os
+from datetime import datetime, timedelta, timezone
+
+import numpy as np
+import pytest
+
+from skydome.ground.exr import read_exr, write_exr
+from skydome.ground.hdr import read_hdr, write_hdr
+from skydome.ground.png import write_png
+from skydome.ground.writing import appearing
+from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB
+from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.loading import load, space_of
+from skydome.maps.projections import CubeMap, Equirectangular, Fisheye
+
+FACTS = {
+    "latitude": 45.07, "longitude": 7.69, "altitude": 240, "time": "2026-06-21T15:00+02:00",
+    "model": "HosekWilkie", "version": "0.1.0", "turbidity": 3.0, "ground": "albedo .2\nLambertian",
+}  # fmt: skip
+
+
+def sky(height=32, peak=1.6e9, dtype=np.float32, **changes):
+    pixels = 3000 * np.random.default_rng(1).random((height, 2 * height, 3))
+    pixels[5, 7] = peak
+    return EnvironmentMap(pixels.astype(dtype), **{"metadata": FACTS, **changes})
+
+
+def one_line(caught):
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_exr_keeps_pixels_and_header(tmp_path):
+    original = sky()
+    original.save(tmp_path / "sky.exr", target="openexr")
+    pixels, header = read_exr(tmp_path / "sky.exr", finite=True)
+    np.testing.assert_array_equal(pixels, original.pixels)
+    assert header["whiteLuminance"] == 1
+    assert header["latitude"] == pytest.approx(45.07)
+    assert header["longitude"] == pytest.approx(7.69)
+    assert header["altitude"] == 240
+    assert header["capDate"] == "2026:06:21 15:00:00"
+    assert header["utcOffset"] == -7200
+    assert header["envmap"].name == "ENVMAP_LATLONG"
+    np.testing.assert_allclose(header["chromaticities"], [0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329], rtol=1e-6)
+    assert header["skydome:model"] == "HosekWilkie"
+    assert header["skydome:turbidity"] == 3
+    assert header["skydome:target"] == "openexr"
+    assert header["skydome:orientation"] == "y up; south (+Z) at the centre; texel centres"
+    assert header["compression"].name == "ZIP_COMPRESSION"
+
+
+@pytest.mark.parametrize("space", [SRGB, REC2020, ACESCG, RADIANCE], ids=lambda space: space.name)
+@pytest.mark.parametrize("suffix", [".exr", ".hdr"])
+def test_a_map_comes_back(suffix, space, tmp_path):
+    original = sky(space=space, white_luminance=2.5)
+    original.save(tmp_path / f"sky{suffix}", target="blender")
+    back = load(tmp_path / f"sky{suffix}", target="blender")
+    assert back.space == space
+    tolerance = 1e-6 if suffix == ".exr" else 4e-3
+    np.testing.assert_allclose(
+        back.resampled(Equirectangular()).luminance(), original.luminance(), rtol=tolerance, atol=30
+    )
+    np.testing.assert_allclose(back.illuminance(), original.illuminance(), rtol=tolerance)
+    assert back.metadata["latitude"] == pytest.approx(45.07)
+    assert back.metadata["model"] == "HosekWilkie"
+    if suffix == ".exr":
+        assert back.metadata["time"] == datetime(2026, 6, 21, 15, tzinfo=timezone(timedelta(hours=2)))
+    back.save(tmp_path / "again.exr")
+    assert read_exr(tmp_path / "again.exr")[1]["skydome:target"] in ("blender", "three")
+
+
+def test_half_floats_never_overflow(tmp_path):
+    original = sky(dtype=np.float64, white_luminance=2.0)
+    original.save(tmp_path / "sky.exr", half=True)
+    pixels, header = read_exr(tmp_path / "sky.exr", finite=True)
+    assert header["whiteLuminance"] == 2e5
+    assert 6550 < pixels.max() <= 65504
+    np.testing.assert_allclose(load(tmp_path / "sky.exr").luminance(), original.luminance(), rtol=1e-3, atol=0.02)
+    dim = sky(peak=60000.0)
+    dim.save(tmp_path / "dim.exr", half=True)
+    assert read_exr(tmp_path / "dim.exr")[1]["whiteLuminance"] == 1
+    with pytest.raises(ValueError, match="must not exceed 65504 in this file, got 65505"):
+        write_exr(tmp_path / "no.exr", np.full((2, 4, 3), 65505.0), half=True)
+    assert not (tmp_path / "no.exr").exists()
+
+
+def test_only_maps_seen_from_inside_claim_to_be_latlong(tmp_path):
+    for number, layout in enumerate([Equirectangular(mirrored=True), CubeMap(), Fisheye()]):
+        EnvironmentMap(np.ones((*layout.shape(12), 3)), layout).save(tmp_path / f"{number}.exr")
+        assert "envmap" not in read_exr(tmp_path / f"{number}.exr")[1]
+
+
+def test_tokyo_and_utc_times(tmp_path):
+    for time, date, offset in [
+        ("2026-06-21T15:00+09:00", "2026:06:21 15:00:00", -32400),
+        (np.datetime64("2026-06-21T06:00"), "2026:06:21 06:00:00", 0),
+        (datetime(2026, 1, 2, 3, 4, 5, tzinfo=timezone(timedelta(hours=-5))), "2026:01:02 03:04:05", 18000),
+    ]:
+        sky(metadata={"time": time}).save(tmp_path / "sky.exr")
+        header = read_exr(tmp_path / "sky.exr")[1]
+        assert (header["capDate"], header["utcOffset"]) == (date, offset)
+    with pytest.raises(ValueError, match="time must have a UTC offset, got 2026-06-21T15:00:00"):
+        sky(metadata={"time": "2026-06-21T15:00"}).save(tmp_path / "naive.exr")
+    assert not (tmp_path / "naive.exr").exists()
+
+
+def test_failing_writing_leaves_what_was_there(tmp_path):
+    path = tmp_path / "sky.exr"
+    path.write_bytes(b"before")
+
+    def write_half_of_it():
+        with appearing(path) as beside:
+            beside.write_bytes(b"half")
+            raise RuntimeError("the disc is full")
+
+    with pytest.raises(RuntimeError, match="disc is full"):
+        write_half_of_it()
+    bad = np.full((4, 8, 3), np.nan)
+    for write in (write_exr, write_hdr, write_png):
+        with pytest.raises(ValueError, match="finite"):
+            write(path, bad)
+    with pytest.raises(TypeError):
+        write_exr(path, np.zeros((4, 8, 3)), header={"model": object()})
+    assert path.read_bytes() == b"before"
+    assert os.listdir(tmp_path) == ["sky.exr"]
+
+
+def test_written_files_have_the_usual_permissions(tmp_path):
+    (tmp_path / "plain").write_text("")
+    sky().save(tmp_path / "sky.hdr")
+    assert (tmp_path / "sky.hdr").stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+@pytest.mark.parametrize("suffix", [".exr", ".hdr", ".png"])
+def test_places_that_cannot_be_written(suffix, tmp_path):
+    with pytest.raises(FileNotFoundError, match="the folder to write to must exist") as caught:
+        sky().save(tmp_path / "missing" / f"sky{suffix}")
+    one_line(caught)
+    (tmp_path / f"folder{suffix}").mkdir()
+    with pytest.raises(IsADirectoryError, match="must not be a folder") as caught:
+        sky().save(tmp_path / f"folder{suffix}")
+    one_line(caught)
+
+
+def test_wrong_requests(tmp_path):
+    for request, words in [
+        ({"path": "sky.tiff"}, r"must end in \.exr, \.hdr, \.png, got 'sky.tiff'"),
+        ({"path": "sky.hdr", "half": True}, r"half floats exist in \.exr alone"),
+        ({"path": "sky.exr", "target": "maya"}, "target must be one of"),
+        ({"path": "sky.exr", "target": "cube", "height": 100}, "multiple of 6"),
+        ({"path": "sky.exr", "height": 33}, "multiple of 2"),
+    ]:
+        with pytest.raises(ValueError, match=words) as caught:
+            sky().save(tmp_path / request.pop("path"), **request)
+        one_line(caught)
+    assert not os.listdir(tmp_path)
+
+
+def damaged_copies(good: bytes):
+    rng = np.random.default_rng(2)
+    yield b""
+    yield b"hello"
+    yield good[:4]
+    for cut in (20, 100, 300, len(good) // 2, len(good) - 3):
+        yield good[:cut]
+    for _ in range(30):
+        garbled = bytearray(good)
+        for place in rng.integers(0, min(len(good), 400), 3):
+            garbled[place] = rng.integers(0, 256)
+        yield bytes(garbled)
+
+
+def complaint_of(read, path):
+    """The error's text, None where the file is read; any other error than ValueError goes through."""
+    try:
+        read(path, max_bytes=1 << 22)
+    except ValueError as error:
+        return str(error)
+    return None
+
+
+@pytest.mark.parametrize(("suffix", "read"), [(".exr", read_exr), (".hdr", read_hdr)])
+def test_damaged_files_are_refused_in_one_line(suffix, read, tmp_path):
+    sky().save(tmp_path / f"good{suffix}")
+    good = (tmp_path / f"good{suffix}").read_bytes()
+    path = tmp_path / f"bad{suffix}"
+    for number, content in enumerate(damaged_copies(good)):
+        path.write_bytes(content)
+        complaint = complaint_of(read, path)
+        assert complaint is not None or number > 7, "a file cut short was read"
+        assert "\n" not in (complaint or "")
+        assert path.name in (complaint or path.name)
+
+
+def test_huge_headers_are_refused_before_memory_is_taken(tmp_path):
+    path = tmp_path / "huge.hdr"
+    path.write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 400000 +X 30000\n\x02\x02")
+    with pytest.raises(ValueError, match="pixels must take at most") as caught:
+        read_hdr(path)
+    one_line(caught)
+    path.write_bytes(b"#?RADIANCE\n\n-Y 10000 +X 10000\n\x02\x02")
+    with pytest.raises(ValueError, match="needs more than the 32 bytes"):
+        read_hdr(path)
+    sky().save(tmp_path / "sky.exr")
+    with pytest.raises(ValueError, match="pixels must take at most 1000 bytes, got 64 x 32"):
+        read_exr(tmp_path / "sky.exr", max_bytes=1000)
+
+
+def test_exr_without_rgb_and_with_nan(tmp_path):
+    import OpenEXR
+
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    OpenEXR.File(header, {"Y": np.ones((4, 8), dtype=np.float32)}).write(str(tmp_path / "grey.exr"))
+    with pytest.raises(ValueError, match="channels R, G and B are needed, got Y"):
+        read_exr(tmp_path / "grey.exr")
+    planes = {name: np.full((4, 8), np.nan, dtype=np.float32) for name in "RGBA"}
+    OpenEXR.File(header, planes).write(str(tmp_path / "nan.exr"))
+    assert np.isnan(read_exr(tmp_path / "nan.exr")[0]).all()
+    with pytest.raises(ValueError, match="pixels must be finite"):
+        load(tmp_path / "nan.exr")
+
+
+def test_primaries_of_files():
+    assert space_of(None, RADIANCE) == RADIANCE
+    assert space_of([0.7, 0.3, 0.2, 0.7, 0.1, 0.1, 0.3, 0.3], SRGB).green == (0.2, 0.7)
+    with pytest.raises(ValueError, match="primaries must be eight numbers, got 3"):
+        space_of([1.0, 2.0, 3.0], SRGB)
