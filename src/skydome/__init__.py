@@ -37,12 +37,13 @@ HOME = {
     "maps.environment_map": "EnvironmentMap",
     "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
     "maps.targets": "target",
+    "dome.patches": "Patches patches",
     "dome.integrals": "illuminance",
     "dome.render": "render",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 
-__all__ = ["__version__", "deg", "km", *WHERE]  # noqa: PLE0604
+__all__ = ["__version__", "deg", "km", *WHERE]
 
 
 def __getattr__(name: str) -> Any:
