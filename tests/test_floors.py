@@ -1,4 +1,4 @@
-"""The house plan, enforced from the imports themselves: a file imports only from its own floor's folder or lower floors."""
+"""The house plan, enforced from the imports themselves: a file imports from its own folder or from lower floors."""
 
 import ast
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""One contract for every sky: shapes, broadcasting, finite, non-negative, rotation, gradients, precisions, libraries."""
+"""One contract for every sky: shapes, broadcasting, finite, non-negative, rotation, precisions, libraries."""
 
 import importlib.util
 from pathlib import Path

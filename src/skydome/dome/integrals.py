@@ -14,7 +14,7 @@ RINGS, COLUMNS = 96, 192
 
 
 def projected(normals: Array, like: Array) -> tuple[np.ndarray, Array]:
-    """Directions (N, 3) of the hemisphere, and their projected solid angles (..., N) on planes with `normals` (..., 3)."""
+    """Directions (N, 3) of the hemisphere; their projected solid angles (..., N) on planes with `normals` (..., 3)."""
     directions, solid_angles = hemisphere(RINGS, COLUMNS)
     nodes = constant(directions, like)
     cosines = at_least(normals @ nodes.T, 0.0)

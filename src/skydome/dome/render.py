@@ -6,6 +6,7 @@ import numpy as np
 
 from skydome.dome.integrals import colourless, discs_and_rest, horizontal_xyz
 from skydome.ground.arrays import as_numpy
+from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum
 from skydome.maps.environment_map import EnvironmentMap
@@ -35,9 +36,9 @@ def render(
 
     `projection` is `Equirectangular()` (native: north at the left edge, width 2 x height) or any other. Texels below
     the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`
-    or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the texels that
-    it covers, its energy kept. TypeError for a sky without colour, ValueError for a height that the projection cannot
-    take, or for a sky of more than one condition. Memory: the map and about 25 MB.
+    or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the
+    texels that it covers, its energy kept. TypeError for a sky without colour; ValueError for a height that
+    the projection cannot take, or for a sky of more than one condition. Memory: the map and about 25 MB.
 
     >>> import skydome as sd
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)
@@ -47,6 +48,7 @@ def render(
     projection = Equirectangular() if projection is None else projection
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
+    require_one_condition(sky)
     discs, rest = discs_and_rest(sky)
     rows, columns = projection.shape(height)
     pixels = np.zeros((rows, columns, 3), dtype=dtype)
@@ -59,6 +61,13 @@ def render(
         add_disc(pixels, disc, float(factor), projection, height, space)
     provenance = {"model": sky.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
+
+
+def require_one_condition(sky: Sky) -> None:
+    """ValueError unless the sky's parameters are single numbers."""
+    shape = tuple(sky.luminance(ZENITH).shape)
+    if shape:
+        raise ValueError(f"a map shows one sky at a time: parameters must be single numbers, got shape {shape}")
 
 
 def fill(
@@ -82,8 +91,6 @@ def fill(
             raise TypeError(colourless(sky))
         light = light + sky.rgb(seen, space)
     light = as_numpy(light) if skies else np.zeros(seen.shape)
-    if light.shape != seen.shape:
-        raise ValueError(f"a map shows one sky at a time: parameters must have shape (), got {light.shape[:-2]}")
     if above.all():
         pixels[...] = light
     else:

@@ -95,25 +95,9 @@ class HosekWilkieForm(FormulaSky):
 
     turbidity: Any
     albedo: Any = 0.2
-    ranges: ClassVar = {"turbidity": Range(1.0, 10.0)}
+    ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "albedo": ALBEDO}
     offset: ClassVar[float] = 0.01
     source: ClassVar[str] = "Hosek and Wilkie 2012, eq. 8; tables of 2013, version 1.4a"
-
-    def __post_init__(self) -> None:
-        """Validate only."""
-        super().__post_init__()
-        if self.check == "raise" or isinstance(self.albedo, Spectrum):
-            values = self.albedo.values if isinstance(self.albedo, Spectrum) else self.albedo
-            require("albedo", values, ALBEDO)
-
-    @property
-    def valid(self) -> Array:
-        """True where turbidity and albedo lie in their ranges and the sun is up."""
-        usual = super().valid
-        if isinstance(self.albedo, Spectrum):
-            return usual
-        albedo = floating(self.albedo, like=self.sun)
-        return usual & (albedo >= 0) & (albedo <= 1)
 
     def form_coefficients(self, form: str) -> Array:
         """R A ... I of the channels of a form, shape (..., channels, 10)."""

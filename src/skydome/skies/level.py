@@ -50,8 +50,9 @@ def levelled(
 
 
 def clear_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
-    """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38), the formula and turbidity of `gensky`.
+    """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38).
 
+    The formula and the turbidity of Radiance's `gensky`.
     Karayel, Navvab, Ne'eman and Selkowitz (1984). Grows without bound near the zenith: elevation is held at 75 degrees.
 
     >>> from skydome import deg, direction

@@ -106,7 +106,7 @@ def horizontal_integral(
 def with_edges(
     total: Array, values: Array, coefficients: Array, sun_zenith: Array, offset: float, floor: float
 ) -> np.ndarray:
-    """The integrals `total` (..., channels), those of skies with black nodes done again, one by one, by a dense rule."""
+    """The integrals `total` (..., channels), those of skies with black nodes done again by a dense rule."""
     shape = total.shape[:-1]
     black = np.flatnonzero((values == 0).any(axis=(-1, -2)) & (coefficients[..., R] != 0).any(axis=-1))
     total = np.array(total)
@@ -115,4 +115,5 @@ def with_edges(
     zenith = np.broadcast_to(sun_zenith, shape).reshape(-1)
     for k in black:
         flat[k] = horizontal_integral(each[k], zenith[k], offset, floor, EDGE_NODES)
-    return flat.reshape(total.shape)
+    whole: np.ndarray = flat.reshape(total.shape)
+    return whole

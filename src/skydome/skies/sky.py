@@ -11,7 +11,7 @@ import numpy as np
 from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
-from skydome.light.spectrum import xyz_weights
+from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.validity import Check, Range, inside, require, require_check
 
 
@@ -50,7 +50,11 @@ class Sky(ABC):
     def valid(self) -> Array:
         """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
         like = getattr(self, "sun", None)
-        checks = [inside(floating(getattr(self, name), like=like), interval) for name, interval in self.ranges.items()]
+        checks = [
+            inside(floating(getattr(self, name), like=like), interval)
+            for name, interval in self.ranges.items()
+            if not isinstance(getattr(self, name), Spectrum)  # checked at construction
+        ]
         checks += [] if like is None and checks else [self.is_day]
         return reduce(lambda a, b: a & b, checks)
 

@@ -5,6 +5,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from skydome.ground.arrays import Array, as_numpy, floating, is_concrete, limited, namespace
+from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
 CHECKS = ("raise", "clamp", "nan")
@@ -22,6 +23,11 @@ class Range(NamedTuple):
         return f"[{self.low:g}, {self.high:g}]{unit}"
 
 
+def numbers_of(value: Any) -> Any:
+    """The values of a `Spectrum`, anything else as it is."""
+    return value.values if isinstance(value, Spectrum) else value
+
+
 def inside(value: Array, interval: Range) -> Array:
     """True where value lies in the interval (NaN does not), shape of value."""
     return (value >= interval.low) & (value <= interval.high)
@@ -29,7 +35,7 @@ def inside(value: Array, interval: Range) -> Array:
 
 def require(name: str, value: Any, interval: Range) -> None:
     """ValueError in one line unless every element of value lies in the interval; tracers are let through."""
-    value = floating(value)
+    value = floating(numbers_of(value))
     if not is_concrete(value):
         return
     numbers = as_numpy(value)

@@ -7,6 +7,7 @@ import numpy as np
 from skydome.ground.directions import direction
 from skydome.ground.units import deg
 from skydome.sun.place import Place
+from skydome.sun.spa import distances, positions, standard_pressure
 from skydome.sun.times import instants
 
 YEARS = (-1999, 3000)
@@ -25,7 +26,7 @@ def sun_direction(
     models expect; with it, the one seen, for `pressure` in Pa (None: that of the standard atmosphere at the place's
     altitude) and `temperature` in degrees C. SPA corrects a sun below -0.83 degrees by nothing.
 
-    Reda and Andreas 2004, https://doi.org/10.1016/j.solener.2003.12.003, by pvlib `spa_python`: 0.0003 degrees for
+    Reda and Andreas 2004, https://doi.org/10.1016/j.solener.2003.12.003, by pvlib: 0.0003 degrees for
     the years -2000 to 6000, with Espenak and Meeus' polynomial for delta T (some seconds off after 2015, below 0.0001
     degrees).
 
@@ -48,16 +49,11 @@ def sun_angles(
     >>> round(float(elevation) / deg, 1)
     88.1
     """
-    from pvlib.atmosphere import alt2pres
-    from pvlib.solarposition import spa_python
-
     utc = instants(time)
-    pressure = float(alt2pres(place.altitude)) if pressure is None else pressure
-    table = spa_python(
-        _index(utc), place.latitude, place.longitude, place.altitude, pressure, temperature, delta_t=None
-    )
-    elevation = table["apparent_elevation" if refraction else "elevation"].to_numpy()
-    return table["azimuth"].to_numpy().reshape(utc.shape) * deg, elevation.reshape(utc.shape) * deg
+    pressure = standard_pressure(place.altitude) if pressure is None else pressure
+    table = positions(checked_years(utc).ravel(), place, pressure, temperature)
+    _, _, apparent, true, azimuth, _ = table.reshape(6, *utc.shape)
+    return azimuth * deg, (apparent if refraction else true) * deg
 
 
 def earth_sun_distance(time: Any) -> np.ndarray:
@@ -66,11 +62,8 @@ def earth_sun_distance(time: Any) -> np.ndarray:
     >>> earth_sun_distance(["2026-01-03T17:00Z", "2026-07-06T17:00Z"]).round(4).tolist()
     [0.9833, 1.0166]
     """
-    from pvlib.solarposition import nrel_earthsun_distance
-
     utc = instants(time)
-    distance: np.ndarray = nrel_earthsun_distance(_index(utc), delta_t=None).to_numpy().reshape(utc.shape)
-    return distance
+    return distances(checked_years(utc).ravel()).reshape(utc.shape)
 
 
 def solar_radius(time: Any) -> np.ndarray:
@@ -83,12 +76,10 @@ def solar_radius(time: Any) -> np.ndarray:
     return radius
 
 
-def _index(utc: np.ndarray) -> Any:
-    """UTC times of any shape as a flat pandas index; ValueError outside `YEARS`."""
-    import pandas as pd
-
+def checked_years(utc: np.ndarray) -> np.ndarray:
+    """The instants, any shape; ValueError outside `YEARS`."""
     years = utc.astype("datetime64[Y]").astype(np.int64) + 1970
     if years.size and (years.min() < YEARS[0] or years.max() > YEARS[1]):
         wrong = years.min() if years.min() < YEARS[0] else years.max()
         raise ValueError(f"time must lie in the years {YEARS[0]} to {YEARS[1]}, got {wrong}")
-    return pd.DatetimeIndex(utc.ravel()).tz_localize("UTC")
+    return utc
