@@ -98,7 +98,8 @@ def wavelength_weights(wavelengths: Any) -> np.ndarray:
     left = np.clip(np.searchsorted(known, w, side="right") - 1, 0, 3)
     part = (w - known[left]) / (known[left + 1] - known[left])
     rows = np.eye(5)
-    return (rows[left] * (1 - part)[:, None] + rows[left + 1] * part[:, None]).T
+    weights: np.ndarray = (rows[left] * (1 - part)[:, None] + rows[left + 1] * part[:, None]).T
+    return weights
 
 
 @cache
