@@ -39,7 +39,9 @@ HOME = {
     "maps.targets": "target",
     "dome.patches": "Patches patches",
     "dome.integrals": "illuminance",
+    "dome.sampling": "SkySampler sample sample_density",
     "dome.render": "render",
+    "export.shaders": "shader",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 

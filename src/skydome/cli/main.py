@@ -11,6 +11,7 @@ from skydome.cli.convert import convert
 from skydome.cli.list_models import models
 from skydome.cli.plot import plot
 from skydome.cli.render import light, render
+from skydome.cli.shader import shader
 from skydome.cli.sun import sun
 
 BAD_INPUT, INTERRUPTED = 2, 130
@@ -43,7 +44,7 @@ def complain(message: str) -> int:
 app = typer.Typer(
     cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
-for command in (render, light, sun, plot, models, convert):
+for command in (render, light, sun, plot, models, convert, shader):
     app.command()(command)
 
 

@@ -1,0 +1,35 @@
+"""`skydome shader`: a sky as a function of direction in a shading language."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+from typer import Option
+
+from skydome.cli.options import AsJson, SkyOptions, taking
+from skydome.cli.printing import show
+from skydome.cli.scene import scene_of
+
+
+@taking(SkyOptions)
+def shader(
+    options: SkyOptions,
+    lang: Annotated[str, Option(metavar="glsl|wgsl|hlsl|osl|c", help="The shading language.")] = "glsl",
+    scale: Annotated[float, Option(help="Value of 1 cd m-2; 1e-4 suits a game exposed for noon.")] = 1.0,
+    output: Annotated[Path | None, Option("--output", "-o", help="File; stdout without it.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Write a sky, without the sun's disc, as shader source: skydome_rgb(direction)."""
+    import skydome as sd
+    from skydome.ground.writing import appearing
+
+    scene = scene_of(options)
+    source = sd.shader(scene.sky, lang, scale=scale)
+    if output is None and not as_json:
+        sys.stdout.write(source)
+        return
+    if output is not None:
+        with appearing(output) as path:
+            Path(path).write_text(source)
+    facts = {"language": lang, "model": scene.sky.parameters(), "file": None if output is None else str(output)}
+    show(facts | {"source": source}, {"language": lang, "file": str(output)}, as_json)

@@ -1,0 +1,106 @@
+"""The shading languages that skies are written in: how each spells a function, a constant and a vector."""
+
+import re
+from dataclasses import dataclass
+
+NUMBER = re.compile(r"(?<![\w.])(\d+\.\d*(?:e[+-]?\d+)?)(?![\w.])")
+C_FUNCTIONS = {"exp": "expf", "sqrt": "sqrtf", "asin": "asinf", "max": "fmaxf", "min": "fminf", "cos": "cosf"}
+C_FUNCTIONS |= {"sin": "sinf", "log": "logf", "pow": "powf", "atan2": "atan2f", "acos": "acosf"}
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language spells what the generated code needs.
+
+    `let` declares a constant, `scalar` heads a function of numbers that returns one, `colour` heads the function of a
+    direction, `answer` returns three numbers. `direction` spells the components of the direction.
+    """
+
+    name: str
+    comment: str
+    let: str
+    argument: str
+    scalar: str
+    colour: str
+    answer: str
+    direction: tuple[str, str, str]
+    suffix: str = ""
+    functions: tuple[tuple[str, str], ...] = ()
+
+    def spelled(self, code: str) -> str:
+        """Code in this language's spelling of numbers and functions."""
+        if self.suffix:
+            code = NUMBER.sub(lambda match: match.group(1) + self.suffix, code)
+        for general, own in self.functions:
+            code = re.sub(rf"\b{general}\(", f"{own}(", code)
+        return code
+
+    def constant(self, name: str, expression: str) -> str:
+        """One indented line that declares a constant."""
+        return "    " + self.spelled(self.let.format(name=name, expression=expression))
+
+    def scalar_function(self, name: str, arguments: list[str], lines: list[tuple[str, str]], result: str) -> str:
+        """A function of numbers: constants by name and expression, then the result."""
+        head = self.scalar.format(name=name, arguments=", ".join(self.argument.format(name=a) for a in arguments))
+        body = [self.constant(*line) for line in lines]
+        return "\n".join([f"{head} {{", *body, self.spelled(f"    return {result};"), "}"])
+
+    def colour_function(self, name: str, lines: list[tuple[str, str]], result: tuple[str, str, str]) -> str:
+        """The function of a direction: constants by name and expression, then red, green and blue."""
+        body = [self.constant(*line) for line in lines]
+        answer = "    " + self.spelled(self.answer.format(r=result[0], g=result[1], b=result[2]))
+        return "\n".join([f"{self.colour.format(name=name)} {{", *body, answer, "}"])
+
+
+XYZ = ("direction.x", "direction.y", "direction.z")
+INDEXED = ("direction[0]", "direction[1]", "direction[2]")
+
+GLSL = Language(
+    name="glsl", comment="//", let="float {name} = {expression};", argument="float {name}",
+    scalar="float {name}({arguments})", colour="vec3 {name}(vec3 direction)",
+    answer="return vec3({r}, {g}, {b});", direction=XYZ,
+)  # fmt: skip
+HLSL = Language(
+    name="hlsl", comment="//", let="float {name} = {expression};", argument="float {name}",
+    scalar="float {name}({arguments})", colour="float3 {name}(float3 direction)",
+    answer="return float3({r}, {g}, {b});", direction=XYZ,
+)  # fmt: skip
+WGSL = Language(
+    name="wgsl", comment="//", let="let {name} = {expression};", argument="{name}: f32",
+    scalar="fn {name}({arguments}) -> f32", colour="fn {name}(direction: vec3<f32>) -> vec3<f32>",
+    answer="return vec3<f32>({r}, {g}, {b});", direction=XYZ,
+)  # fmt: skip
+OSL = Language(
+    name="osl", comment="//", let="float {name} = {expression};", argument="float {name}",
+    scalar="float {name}({arguments})", colour="color {name}(vector direction)",
+    answer="return color({r}, {g}, {b});", direction=INDEXED,
+)  # fmt: skip
+C = Language(
+    name="c", comment="//", let="const float {name} = {expression};", argument="float {name}",
+    scalar="static float {name}({arguments})", colour="void {name}(const float direction[3], float rgb[3])",
+    answer="rgb[0] = {r}; rgb[1] = {g}; rgb[2] = {b};", direction=INDEXED, suffix="f",
+    functions=tuple(C_FUNCTIONS.items()),
+)  # fmt: skip
+
+LANGUAGES = (GLSL, WGSL, HLSL, OSL, C)
+
+
+def language(name: str) -> Language:
+    """The language of that name; ValueError lists those there are.
+
+    >>> language("wgsl").answer
+    'return vec3<f32>({r}, {g}, {b});'
+    """
+    for entry in LANGUAGES:
+        if entry.name == name:
+            return entry
+    raise ValueError(f"language must be one of {', '.join(entry.name for entry in LANGUAGES)}, got {name!r}")
+
+
+def number(value: float) -> str:
+    """A number with nine significant digits and a decimal point, in brackets where negative."""
+    text = f"{float(value):.9g}"
+    if "." not in text:
+        mantissa, mark, exponent = text.partition("e")
+        text = f"{mantissa}.0{mark}{exponent}"
+    return f"({text})" if text.startswith("-") else text
