@@ -41,6 +41,9 @@ HOME = {
     "dome.integrals": "illuminance",
     "dome.sampling": "SkySampler sample sample_density",
     "dome.render": "render",
+    "scene.bands": "Bands",
+    "scene.horizon": "Horizon",
+    "scene.obstruction": "obstructed_illuminance View",
     "export.shaders": "shader",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}

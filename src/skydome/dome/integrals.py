@@ -1,5 +1,6 @@
 """Integrals of the dome: what light falls on a plane."""
 
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,17 @@ def discs_and_rest(sky: Sky) -> tuple[list[tuple[SunDisc, Any]], list[Sky]]:
     return discs, rest
 
 
+def own_array(value: Any) -> Any:
+    """The first floating array among a sky's parameters, whose library, dtype and device its light has, or None."""
+    if isinstance(value, Sky):
+        return next(
+            (found for item in fields(value) if (found := own_array(getattr(value, item.name))) is not None), None
+        )
+    if isinstance(value, tuple | list):
+        return next((found for item in value if (found := own_array(item)) is not None), None)
+    return floating(value) if hasattr(value, "dtype") and not isinstance(value, np.generic) else None
+
+
 def illuminance(sky: Sky, normal: Any = ZENITH) -> Array:
     """Illuminance on planes with unit normals (..., 3), lx; only light from above the horizon counts.
 
@@ -48,6 +60,9 @@ def illuminance(sky: Sky, normal: Any = ZENITH) -> Array:
     >>> bool(abs(sd.illuminance(sd.Uniform(1.0)) - np.pi) < 1e-9)
     True
     """
+    like = own_array(sky)
+    if normal is ZENITH and like is not None:
+        normal = constant(ZENITH, like)
     normal = checked_directions(normal, "normal")
     single = normal.ndim == 1
     normals = normal[None, :] if single else normal
