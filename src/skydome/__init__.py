@@ -45,6 +45,11 @@ HOME = {
     "scene.horizon": "Horizon",
     "scene.obstruction": "obstructed_illuminance View",
     "export.shaders": "shader",
+    "scene.eye": "Eye",
+    "scene.view": "View HalfSphere",
+    "scene.glare": "glare",
+    "scene.point_spread": "CIETotal Spencer PHOTOPIC MESOPIC SCOTOPIC",
+    "scene.lens_flare": "LensFlare",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 

@@ -1,0 +1,212 @@
+"""What is seen in a direction: a flat picture (gnomonic, a camera's), or a round one of the half sphere in front."""
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.directions import direction
+from skydome.ground.units import deg
+from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.equirectangular import Equirectangular
+
+FIELDS_OF_VIEW = (1.0, 150.0)
+SIDES = (16, 8192)
+CHUNK = 1 << 16
+
+
+@dataclass(frozen=True)
+class Frame(ABC):
+    """Where one looks: azimuth clockwise from north and elevation, radians; the horizon lies level in the picture."""
+
+    azimuth: float
+    elevation: float
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.azimuth):
+            raise ValueError(f"azimuth of a view must be finite radians, got {self.azimuth}")
+        if not abs(self.elevation) <= math.pi / 2 + 1e-12:
+            raise ValueError(f"elevation of a view must lie in [-90, 90] degrees, got {self.elevation / deg:g}")
+
+    @property
+    def forward(self) -> np.ndarray:
+        """Unit vector of the line of sight, (3,)."""
+        return np.asarray(direction(self.azimuth, self.elevation))
+
+    @property
+    def axes(self) -> np.ndarray:
+        """Rows right, up and forward of the picture, (3, 3); straight up, the top of the picture is behind one."""
+        forward = self.forward
+        right = np.array([math.cos(self.azimuth), -math.sin(self.azimuth), 0.0])
+        return np.stack([right, np.cross(right, forward), forward])
+
+    @property
+    @abstractmethod
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+
+    @abstractmethod
+    def toward(self, row: Any, column: Any) -> np.ndarray:
+        """Unit vectors (..., 3) toward continuous pixel coordinates; pixel (i, j) has its centre at i + .5, j + .5."""
+
+    @abstractmethod
+    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Continuous pixel coordinates (row, column) of directions (..., 3), NaN for what the picture cannot show."""
+
+    @abstractmethod
+    def solid_angles(self) -> np.ndarray:
+        """Solid angle of each pixel, sr, shape (H, W)."""
+
+    def directions(self) -> np.ndarray:
+        """Unit vectors at the pixel centres, shape (H, W, 3)."""
+        rows, columns = self.shape
+        return self.toward(np.arange(rows)[:, None] + 0.5, np.arange(columns)[None, :] + 0.5)
+
+    def seen(self, environment: EnvironmentMap) -> np.ndarray:
+        """Linear RGB of the map at each pixel centre, (H, W, 3) float32, (1, 1, 1) being 1 cd m-2."""
+        look = blended_texels(environment)
+        picture = np.empty((*self.shape, 3), dtype=np.float32)
+        step = max(1, CHUNK // self.shape[1])
+        column = np.arange(self.shape[1])[None, :] + 0.5
+        for k in range(0, self.shape[0], step):
+            row = np.arange(k, min(k + step, self.shape[0]))[:, None] + 0.5
+            picture[k : k + step] = look(self.toward(row, column))
+        picture *= environment.white_luminance
+        return picture
+
+
+def blended_texels(environment: EnvironmentMap) -> Callable[[np.ndarray], np.ndarray]:
+    """A function that gives RGB (..., 3) toward directions: `environment.sample`, or a quicker form of it (float32).
+
+    The quick form is for equirectangular maps: a texel more on each side, led over the seam and the poles.
+    """
+    from scipy.ndimage import map_coordinates
+
+    projection, pixels = environment.projection, environment.pixels
+    if not isinstance(projection, Equirectangular):
+        return environment.sample
+    half = pixels.shape[1] // 2
+    poles = [np.roll(pixels[:1], half, axis=1), pixels, np.roll(pixels[-1:], half, axis=1)]
+    framed = np.pad(np.concatenate(poles), ((0, 0), (1, 1), (0, 0)), mode="wrap").astype(np.float32)
+    planes = np.ascontiguousarray(np.moveaxis(framed, -1, 0))
+
+    def look(directions: np.ndarray) -> np.ndarray:
+        row, column, _ = projection.pixels(directions, pixels.shape[0])
+        seen = np.empty((*row.shape, 3), dtype=np.float32)
+        for channel, plane in enumerate(planes):
+            map_coordinates(plane, [row + 0.5, column + 0.5], output=seen[..., channel], order=1)
+        return seen
+
+    return look
+
+
+@dataclass(frozen=True)
+class View(Frame):
+    """A flat picture of `fov` radians from left to right, `side` pixels wide and, unless `rows` says else, high.
+
+    >>> south = View(180 * deg, 20 * deg, fov=60 * deg, side=64)
+    >>> row, column = south.place(direction(180 * deg, 20 * deg))
+    >>> float(row), float(column)
+    (32.0, 32.0)
+    """
+
+    fov: float = 60 * deg
+    side: int = 1024
+    rows: int | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        low, high = FIELDS_OF_VIEW
+        if not low <= self.fov / deg * (1 + 1e-12) or not self.fov / deg <= high * (1 + 1e-12):
+            raise ValueError(f"fov must lie in [{low:g}, {high:g}] degrees, got {self.fov / deg:g}")
+        for name, size in (("side", self.side), ("rows", self.shape[0])):
+            if not SIDES[0] <= size <= SIDES[1]:
+                raise ValueError(f"{name} of a view must lie in [{SIDES[0]}, {SIDES[1]}] pixels, got {size}")
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return (self.side if self.rows is None else self.rows), self.side
+
+    @property
+    def pixel(self) -> float:
+        """Width of the pixel in the middle, radians (tangent of its angle)."""
+        return 2 * math.tan(self.fov / 2) / self.side
+
+    def plane(self, row: Any, column: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Tangents to the right and up of continuous pixel coordinates."""
+        rows, columns = self.shape
+        return (np.asarray(column) - columns / 2) * self.pixel, (rows / 2 - np.asarray(row)) * self.pixel
+
+    def toward(self, row: Any, column: Any) -> np.ndarray:
+        """Unit vectors (..., 3) toward continuous pixel coordinates."""
+        x, y = np.broadcast_arrays(*self.plane(row, column))
+        flat: np.ndarray = np.stack([x, y, np.ones_like(x)], axis=-1) @ self.axes
+        flat /= np.sqrt(1 + x * x + y * y)[..., None]
+        return flat
+
+    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Continuous pixel coordinates (row, column) of directions (..., 3), outside the picture too; NaN behind it."""
+        x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64) @ self.axes.T, -1, 0)
+        depth = np.where(z > 1e-9, z, np.nan)
+        rows, columns = self.shape
+        return rows / 2 - y / depth / self.pixel, columns / 2 + x / depth / self.pixel
+
+    def solid_angles(self) -> np.ndarray:
+        """Solid angle of each pixel, sr, (H, W): pixel area x cos^3, right within pixel^2 / 4."""
+        rows, columns = self.shape
+        x, y = self.plane(np.arange(rows)[:, None] + 0.5, np.arange(columns)[None, :] + 0.5)
+        angles: np.ndarray = self.pixel**2 / (1 + x * x + y * y) ** 1.5
+        return angles
+
+
+@dataclass(frozen=True)
+class HalfSphere(Frame):
+    """A round picture of everything in front of the eye, equidistant (Radiance's -vta, 180 degrees), `side` square.
+
+    >>> around = HalfSphere(0.0, 0.0, side=100)
+    >>> row, column = around.place(np.array([1.0, 0.0, 0.0]))    # looking north: east is at the right edge
+    >>> float(row), float(column)
+    (50.0, 100.0)
+    """
+
+    side: int = 800
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return self.side, self.side
+
+    def toward(self, row: Any, column: Any) -> np.ndarray:
+        """Unit vectors (..., 3); the corners look behind."""
+        x, y = np.broadcast_arrays(2 * np.asarray(column) / self.side - 1, 1 - 2 * np.asarray(row) / self.side)
+        radius = np.hypot(x, y)
+        angle = radius * np.pi / 2
+        scale = np.sin(angle) / np.where(radius == 0, 1.0, radius)
+        vectors: np.ndarray = np.stack([x * scale, y * scale, np.cos(angle)], axis=-1) @ self.axes
+        return vectors
+
+    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Continuous pixel coordinates (row, column) of directions (..., 3); NaN behind the eye."""
+        x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64) @ self.axes.T, -1, 0)
+        across = np.hypot(x, y)
+        angle = np.where(z >= -1e-12, np.arctan2(across, z), np.nan)
+        scale = angle / (np.pi / 2) / np.where(across == 0, 1.0, across)
+        return (1 - y * scale) * self.side / 2, (1 + x * scale) * self.side / 2
+
+    def solid_angles(self) -> np.ndarray:
+        """Solid angle of each pixel whose centre lies in front of the eye, sr, (H, W); 0 in the corners."""
+        centre = (np.arange(self.side) + 0.5) * 2 / self.side - 1
+        angle = np.hypot(centre[:, None], centre) * np.pi / 2
+        angles = (np.pi / self.side) ** 2 * np.sinc(angle / np.pi)
+        return np.where(angle <= np.pi / 2, angles, 0.0)
+
+    @property
+    def radiance_view(self) -> str:
+        """The view as a Radiance picture's VIEW line states it."""
+        toward = " ".join(f"{value:.9f}" for value in self.forward)
+        up = " ".join(f"{value:.9f}" for value in self.axes[1])
+        return f"rvu -vta -vp 0 0 0 -vd {toward} -vu {up} -vh 180 -vv 180"
