@@ -34,6 +34,7 @@ HOME = {
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
     "skies.daylight_sky": "Daylight",
     "skies.sun_disc": "SunDisc",
+    "skies.series": "luminance_series",
     "maps.environment_map": "EnvironmentMap",
     "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
     "maps.targets": "target",

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide
+from skydome.ground.arrays import Array, constant, floating, safe_divide
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
 
@@ -16,6 +16,9 @@ CHROMATICITY_TO_AMOUNTS = np.array(
     ]
 )
 """Rows 1, x, y; columns the common denominator of M1 and M2 and their numerators (Preetham 1999, A.5)."""
+
+TOTAL_FIRST = np.array([[1.0, 1.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+"""XYZ columns to X + Y + Z, X, Y: the chromaticity (1, x, y) times the total."""
 
 RANGE = (380.0, 780.0)
 """The wavelengths of Table 2, nm."""
@@ -49,15 +52,13 @@ def daylight_spectrum(xyz: Any, wavelengths: Any) -> Array:
     [117.9, 100.0, 80.4]
     """
     xyz = floating(xyz)
+    relative, luminance = (constant(weights.T, xyz) for weights in daylight_weights(wavelengths))
+    return safe_divide(xyz[..., 1], xyz @ luminance)[..., None] * (xyz @ relative)
+
+
+def daylight_weights(wavelengths: Any) -> tuple[np.ndarray, np.ndarray]:
+    """What `daylight_spectrum` multiplies XYZ by: the relative spectrum's matrix (W, 3), its luminance's row (3,)."""
     basis, table = daylight_basis(wavelengths), columns("preetham_1999_table_2")["wavelength_nm"]
     luminances = daylight_basis(table) @ xyz_weights(table)[:, 1]
-    amounts = _total_first(xyz) @ constant(CHROMATICITY_TO_AMOUNTS, xyz)
-    relative = amounts @ constant(basis, xyz)
-    luminance = amounts @ constant(luminances, xyz)
-    return safe_divide(xyz[..., 1], luminance)[..., None] * relative
-
-
-def _total_first(xyz: Array) -> Array:
-    """X + Y + Z, X, Y (..., 3): the chromaticity (1, x, y) times the total."""
-    xp = namespace(xyz)
-    return xp.stack([xp.sum(xyz, axis=-1), xyz[..., 0], xyz[..., 1]], axis=-1)
+    amounts = CHROMATICITY_TO_AMOUNTS.T @ TOTAL_FIRST
+    return basis.T @ amounts, luminances @ amounts

@@ -15,10 +15,11 @@ from skydome.ground.arrays import Array, constant, floating, limited, namespace
 from skydome.ground.directions import elevation
 from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
+from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.spectrum import Spectrum, cie_1931
-from skydome.skies.formula_sky import FormulaSky
-from skydome.skies.sky import ColourSky, SpectralSky
+from skydome.skies.formula_sky import ColourFormulaSky, Recipe
+from skydome.skies.quantity import Quantity
+from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
 BANDS = np.arange(320.0, 721.0, 40.0)
@@ -90,7 +91,7 @@ def channel_albedo(albedo: Any, form: str, like: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class HosekWilkieForm(FormulaSky):
+class HosekWilkieForm(ColourFormulaSky):
     """What the native forms share: sun, turbidity 1-10, and ground albedo 0-1 (a number, an array, or a `Spectrum`)."""
 
     turbidity: Any
@@ -130,25 +131,28 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
         """R A ... I of X, Y, Z, shape (..., 3, 10)."""
         return self.form_coefficients("xyz")
 
-    def xyz(self, directions: Array) -> Array:
-        """CIE XYZ toward each direction by the model's XYZ fit, Y in cd m-2, shape (..., 3)."""
-        return LUMINOUS_EFFICACY * self.channels(directions)
+    def xyz_recipe(self) -> Recipe:
+        """The XYZ fit times 683 lm W-1."""
+        return self.coefficients(), Quantity(LUMINOUS_EFFICACY * np.eye(3))
 
-    def luminance(self, directions: Array) -> Array:
-        """Luminance toward each direction by the Y of the XYZ fit, cd m-2, shape (...,)."""
-        return LUMINOUS_EFFICACY * self.channels(directions, self.coefficients()[..., 1:2, :])[..., 0]
+    def luminance_recipe(self) -> Recipe:
+        """The Y of the XYZ fit times 683 lm W-1."""
+        return self.coefficients()[..., 1:2, :], Quantity(LUMINOUS_EFFICACY * np.eye(1))
 
-    def radiance(self, directions: Array, wavelengths: Any) -> Array:
-        """Spectral radiance at 320-720 nm, linear between bands, W m-2 sr-1 nm-1, shape (..., W)."""
+    def radiance_recipe(self, wavelengths: Any) -> Recipe:
+        """The bands that the wavelengths need, and their linear interpolation."""
         weights = band_weights(wavelengths)
         used = np.flatnonzero(weights.any(axis=1))
         first, last = used[0], used[-1] + 1
-        light = self.channels(directions, self.form_coefficients("spectral")[..., first:last, :])
-        return light @ constant(weights[first:last], light)
+        return self.form_coefficients("spectral")[..., first:last, :], Quantity(weights[first:last].T)
+
+    def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
+        """Spectral radiance at 320-720 nm, linear between bands, W m-2 sr-1 nm-1, shape (..., W). See `light`."""
+        return self.light(directions, self.radiance_recipe(wavelengths), out)
 
 
 @dataclass(frozen=True, eq=False)
-class HosekWilkieRGB(HosekWilkieForm, ColourSky):
+class HosekWilkieRGB(HosekWilkieForm):
     """The clear sky of Hosek and Wilkie in its native linear sRGB form, as renderers use it.
 
     >>> import skydome as sd
@@ -162,11 +166,15 @@ class HosekWilkieRGB(HosekWilkieForm, ColourSky):
         """R A ... I of R, G, B, shape (..., 3, 10)."""
         return self.form_coefficients("rgb")
 
-    def rgb(self, directions: Array, space: RGBSpace = SRGB) -> Array:
-        """Linear RGB toward each direction, white of 1 cd m-2 being (1, 1, 1), shape (..., 3)."""
-        light = LUMINOUS_EFFICACY * self.channels(directions)
-        return light if space is SRGB else rgb_from_xyz(xyz_from_rgb(light), space)
+    def rgb_recipe(self, space: RGBSpace = SRGB) -> Recipe:
+        """The RGB fit times 683 lm W-1, by way of XYZ in spaces other than sRGB."""
+        coefficients, quantity = self.coefficients(), Quantity(LUMINOUS_EFFICACY * np.eye(3))
+        return coefficients, quantity if space is SRGB else quantity.then(space.from_xyz @ SRGB.to_xyz)
 
-    def xyz(self, directions: Array) -> Array:
-        """CIE XYZ of the RGB fit, Y in cd m-2, shape (..., 3)."""
-        return xyz_from_rgb(self.rgb(directions))
+    def xyz_recipe(self) -> Recipe:
+        """The XYZ of the RGB fit."""
+        return self.coefficients(), Quantity(LUMINOUS_EFFICACY * SRGB.to_xyz)
+
+    def luminance_recipe(self) -> Recipe:
+        """The Y of the RGB fit."""
+        return self.coefficients(), Quantity(LUMINOUS_EFFICACY * SRGB.to_xyz[1:2])

@@ -12,10 +12,10 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
-from skydome.light.colour import xyz_from_xyY
-from skydome.light.daylight import daylight_spectrum
-from skydome.skies.formula_sky import FormulaSky
+from skydome.light.daylight import daylight_weights
+from skydome.skies.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.perez_formula import evaluate, from_perez
+from skydome.skies.quantity import Quantity
 from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range
 
@@ -47,7 +47,7 @@ def letters(turbidity: Array, rows: tuple[tuple[float, float], ...]) -> list[Arr
 
 
 @dataclass(frozen=True, eq=False)
-class Preetham(FormulaSky, SpectralSky):
+class Preetham(ColourFormulaSky, SpectralSky):
     """The clear sky of Preetham, Shirley and Smits 1999, for turbidity 2-6.
 
     Known errors: too bright at low turbidity near a low sun, too little darkening toward the horizon, no ground
@@ -87,14 +87,19 @@ class Preetham(FormulaSky, SpectralSky):
         """Chromaticities x and y and luminance Y, cd m-2, shape (..., 3); all 0 below the horizon and at night."""
         return self.channels(directions)
 
-    def xyz(self, directions: Array) -> Array:
-        """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
-        return xyz_from_xyY(self.xyY(directions))
+    def xyz_recipe(self) -> Recipe:
+        """The channels x, y, Y turned into X, Y, Z."""
+        return self.coefficients(), Quantity(chromatic=True)
 
-    def luminance(self, directions: Array) -> Array:
-        """Luminance toward each direction, cd m-2, shape (...,); computes the one channel Y."""
-        return self.channels(directions, self.coefficients()[..., 2:, :])[..., 0]
+    def luminance_recipe(self) -> Recipe:
+        """The one channel Y."""
+        return self.coefficients()[..., 2:, :], Quantity()
 
-    def radiance(self, directions: Array, wavelengths: Any) -> Array:
-        """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5)."""
-        return daylight_spectrum(self.xyz(directions), wavelengths)
+    def radiance_recipe(self, wavelengths: Any) -> Recipe:
+        """The CIE daylight series at the sky's chromaticity, levelled to its luminance."""
+        matrix, balance = daylight_weights(wavelengths)
+        return self.coefficients(), Quantity(matrix, chromatic=True, balance=balance)
+
+    def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
+        """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5). See `light`."""
+        return self.light(directions, self.radiance_recipe(wavelengths), out)

@@ -1,0 +1,124 @@
+"""The choice between the readable formula and its compiled float32 form, and the work shared among threads.
+
+float64 asks for the formula itself, in NumPy. float32 directions, or a float32 `out`, ask for float32 light: jobs of
+more than `LEAST_VALUES` numbers then take the kernels, if Numba is installed; smaller ones the formula, rounded at the
+end, so that they never wait for a compiler (about 3 s once on a machine, 0.5 s once in a process).
+"""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from skydome.skies.perez_formula import A, B, C, D, E, F, G, H, I, R
+from skydome.skies.quantity import Quantity
+
+LEAST_VALUES = 1 << 20
+"""Fewer numbers of light than this take NumPy."""
+VALUES_PER_PIECE = 1 << 17
+STEEPEST = 60.0
+"""Largest |D's exponent| E g that float32 powers hold with room to spare."""
+
+
+class Light(NamedTuple):
+    """Many skies' numbers, NumPy: coefficients (T, C, 10), suns (T, 3), states (T,): 1 day, 0 night, -1 not valid."""
+
+    coefficients: np.ndarray
+    suns: np.ndarray
+    states: np.ndarray
+    offset: float
+    floor: float
+    quantity: Quantity
+
+    @property
+    def size(self) -> int:
+        """Numbers of light in each direction."""
+        return self.quantity.size(self.coefficients.shape[-2])
+
+
+def kernels() -> Any:
+    """The compiled formula's module, or None where Numba is not installed."""
+    try:
+        from skydome.skies import perez_kernel
+    except ImportError:
+        return None
+    return perez_kernel
+
+
+def holds_in_float32(coefficients: np.ndarray) -> bool:
+    """Whether the kernels can take the numbers: finite, B <= 0, and no steep rise away from the sun."""
+    rise = coefficients[..., E].max(initial=0.0)
+    fall = coefficients[..., E].min(initial=0.0)
+    return bool(np.isfinite(coefficients).all() and (coefficients[..., B] <= 0).all() and rise < 9 and fall > -STEEPEST)
+
+
+def chosen(values: int, coefficients: np.ndarray) -> Any:
+    """The kernels' module where a job of so many numbers should take it, else None."""
+    if values < LEAST_VALUES or not holds_in_float32(coefficients):
+        return None
+    return kernels()
+
+
+def prepared(light: Light) -> tuple[np.ndarray, tuple[np.ndarray, bool, np.ndarray]]:
+    """Letters (T, C, 11) in float32 as the kernels read them, and what is left to do: matrix, chromatic, balance."""
+    c = light.coefficients
+    level, matrix = c[..., R], light.quantity.matrix
+    gains = light.quantity.gains
+    if gains is not None:
+        level, matrix = level * gains, None
+    gap = np.maximum((1 - c[..., H]) ** 2, 1e-12)
+    turn = np.log2(np.e)
+    columns = [level, c[..., A], c[..., B] * turn, c[..., C], c[..., D], c[..., E] * turn, c[..., F], c[..., G]]
+    letters = np.stack([*columns, gap, 2 * c[..., H], c[..., I]], axis=-1).astype(np.float32)
+    none = np.zeros((0, 0), np.float32)
+    matrix = none if matrix is None else np.ascontiguousarray(matrix, dtype=np.float32)
+    balance = light.quantity.balance
+    return letters, (matrix, light.quantity.chromatic, np.asarray([] if balance is None else balance, np.float32))
+
+
+def workers() -> int:
+    """Processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def shared(job: Callable[[int, int], Any], count: int, values: int) -> list[Any]:
+    """The answers of job(first, last) over pieces of range(count), in threads; `values` is the whole job's size."""
+    pieces = max(1, min(count, 4 * workers(), values // VALUES_PER_PIECE))
+    edges = [count * k // pieces for k in range(pieces + 1)]
+    if pieces == 1:
+        return [job(0, count)]
+    with ThreadPoolExecutor(min(workers(), pieces)) as pool:
+        return list(pool.map(job, edges[:-1], edges[1:]))
+
+
+def many_skies(kernel: Any, light: Light, directions: np.ndarray, out: np.ndarray) -> None:
+    """Write the light of T skies toward D directions, (D, 3), into `out`, contiguous float32 (T, D, K)."""
+    letters, rest = prepared(light)
+    toward = np.ascontiguousarray(directions, dtype=np.float32).reshape(-1)
+    suns, states = light.suns.astype(np.float32), light.states.astype(np.float32)
+    edges = np.array([light.offset, light.floor], np.float32)
+    rows = 8 + letters.shape[1] + light.size
+    flat = out.reshape(-1)
+
+    def job(first: int, last: int) -> int:
+        work = np.empty((rows, kernel.BLOCK), np.float32)
+        return int(kernel.many_skies(first, last, letters, suns, states, toward, edges, *rest, work, flat))
+
+    blocks = -(-len(directions) // kernel.BLOCK)
+    tiles = blocks * -(-len(letters) // kernel.SKIES_IN_TILE)
+    if sum(shared(job, tiles, out.size)):
+        raise ValueError("directions must be finite unit vectors within 1e-3; scale them with skydome.unit(...)")
+
+
+def checked_out(out: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """`out` itself; TypeError or ValueError in one line unless it is a writable float array of that shape."""
+    if not isinstance(out, np.ndarray) or out.dtype not in (np.float32, np.float64):
+        kind = out.dtype if isinstance(out, np.ndarray) else type(out).__name__
+        raise TypeError(f"out must be a NumPy array of float32 or float64, got {kind}")
+    if out.shape != shape:
+        raise ValueError(f"out must have shape {shape}, got {out.shape}")
+    if not out.flags.writeable:
+        raise ValueError("out must be writable, got a read-only array")
+    return out

@@ -1,0 +1,248 @@
+"""The nine numbers in float32, compiled: the fast second form of `perez_formula.evaluate`, tested against it.
+
+Two jobs: `whole_map` for rows and columns of an equirectangular map, `many_skies` for skies x directions. Both work on
+blocks of 2048 values in unit-stride scratch memory that the caller lends, release the interpreter's lock and take a
+range of rows or tiles, so that plain threads share the work. Rows of scratch are indexed whole and never sliced, and
+indexes that are not a plain loop's are unsigned: the compiler then sees straight loops, and is done in about 2 s.
+Geometry: u = 1 - cos g and w = 1 + cos g, each a sum of positive terms, so that the angle keeps its digits near the sun
+and opposite to it. Letters of a sky's channel, prepared in float64 by `fast_light.prepared`: R A B' C D E' F G
+(1 - H)^2 2H I, where a dash means "times log2 e".
+"""
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+real = np.float32
+BLOCK = 2048
+ZERO, ONE, PI = real(0.0), real(1.0), real(np.pi)
+ROUNDING = real(1.5 * 2**23)
+"""Added and taken away again it rounds to a whole number, which stands in the low bits of the sum."""
+LEAST_POWER, SMALLEST = real(1.5 * 2**23 - 126), real(-126.0)
+MANTISSA_BITS = np.int32(23)
+LENGTH_TOLERANCE = real(2e-3)
+SKIES_IN_TILE = 32
+# Polynomials through Chebyshev nodes. 2^r for |r| <= 1/2: error 2e-9. g / sqrt(u) for u in [0, 1]: error 2e-8.
+P1, P2, P3, P4, P5, P6 = (real(np.log(2.0) ** k * c) for k, c in enumerate(
+    (1.0000000377388714, 0.5000000047146057, 0.16666415414041177, 0.04166635277111221, 0.008375134774624326,
+     0.0013941118895837), start=1))  # fmt: skip
+G0, G1, G2, G3, G4, G5, G6, G7 = (real(c) for c in (
+    1.4142135464083156, 0.11785316670023775, 0.026474482500567432, 0.00821673096263844, 0.0014788598231931453,
+    0.003338417011053371, -0.0019906429602384126, 0.001211737769810765))  # fmt: skip
+
+
+def compiled(function: Any) -> Any:
+    """`function` by Numba, kept on disk where a folder can be written to; no reordering of sums."""
+    choices = {"nogil": True, "fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy"}
+    try:
+        return njit(cache=True, **choices)(function)
+    except RuntimeError:  # no folder for the cache
+        return njit(**choices)(function)
+
+
+@compiled
+def power_of_two(x):  # type: ignore[no-untyped-def]
+    """2^x for x <= 127; about 1e-38 for all x below -126 (down to -1000)."""
+    shifted = x + ROUNDING
+    shifted = shifted if shifted > LEAST_POWER else LEAST_POWER
+    r = x - (shifted - ROUNDING)
+    power = (((((P6 * r + P5) * r + P4) * r + P3) * r + P2) * r + P1) * r + ONE
+    exponent = np.int32(real(shifted).view(np.int32) << MANTISSA_BITS)
+    return np.int32(real(power).view(np.int32) + exponent).view(np.float32)
+
+
+@compiled
+def angle(u, w):  # type: ignore[no-untyped-def]
+    """The angle whose 1 - cos is u and whose 1 + cos is w, radians."""
+    m = u if u < w else w
+    series = ((((((G7 * m + G6) * m + G5) * m + G4) * m + G3) * m + G2) * m + G1) * m + G0
+    smaller = np.sqrt(m) * series
+    return smaller if u <= w else PI - smaller
+
+
+@compiled
+def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, values):  # type: ignore[no-untyped-def]
+    """Write constant + D exp(E g) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
+    if peak == ZERO:
+        for i in range(count):
+            cosine = ONE - u[i]
+            values[i] = constant + d * power_of_two(e * g[i]) + f * (cosine * cosine)
+    else:
+        for i in range(count):
+            cosine = ONE - u[i]
+            square = cosine * cosine
+            root = ONE / np.sqrt(gap + twice * u[i])
+            chi = (peak + peak * square) * (root * root * root)
+            values[i] = constant + d * power_of_two(e * g[i]) + f * square + chi
+
+
+@compiled
+def graded(count, over, root, level, lift, slope, part, values):  # type: ignore[no-untyped-def]
+    """Multiply (values + I sqrt(cos t)) by R + R A exp(B / cos t); 0 where negative or below the horizon (over < 0)."""
+    for i in range(count):
+        power = slope * over[i]
+        shape = level + lift * power_of_two(power if power > SMALLEST else SMALLEST)
+        bright = (values[i] + part * root[i]) * shape
+        values[i] = bright if (bright > ZERO) & (over[i] > ZERO) else ZERO
+
+
+@compiled
+def coloured(count, chromatic, balance, values):  # type: ignore[no-untyped-def]
+    """Turn rows x, y, Y into X, Y, Z in place (black where y = 0); then multiply by Y / (balance . XYZ), if any."""
+    x, y, z = values[0], values[1], values[2]
+    if chromatic:
+        for i in range(count):
+            cx, cy = x[i], y[i]
+            scale = z[i] / (cy if cy > ZERO else ONE)
+            scale = scale if cy > ZERO else ZERO
+            x[i] = scale * cx
+            y[i] = scale * cy
+            z[i] = scale * (ONE - cx - cy)
+    if balance.size:
+        for i in range(count):
+            total = balance[0] * x[i] + balance[1] * y[i] + balance[2] * z[i]
+            scale = y[i] / (total if total != ZERO else ONE)
+            x[i] *= scale
+            y[i] *= scale
+            z[i] *= scale
+
+
+@compiled
+def mixed(count, matrix, values, results):  # type: ignore[no-untyped-def]
+    """Write matrix @ values into results: (K, C) times (C, count), leaving out the zeros."""
+    for k in range(matrix.shape[0]):
+        row = results[k]
+        for i in range(count):
+            row[i] = ZERO
+        for c in range(matrix.shape[1]):
+            weight, source = matrix[k, c], values[c]
+            if weight != ZERO:
+                for i in range(count):
+                    row[i] += weight * source[i]
+
+
+@compiled
+def stored(count, channels, results, place, backwards):  # type: ignore[no-untyped-def]
+    """Write rows of results into flat memory of count x channels, channel last; in opposite order if `backwards`."""
+    if channels == 3:
+        first, second, third = results[0], results[1], results[2]
+        if backwards:
+            for i in range(count):
+                k, j = np.uintp(3 * i), np.uintp(count - 1 - i)
+                place[k] = first[j]
+                place[k + np.uintp(1)] = second[j]
+                place[k + np.uintp(2)] = third[j]
+        else:
+            for i in range(count):
+                k = np.uintp(3 * i)
+                place[k] = first[i]
+                place[k + np.uintp(1)] = second[i]
+                place[k + np.uintp(2)] = third[i]
+        return
+    for channel in range(channels):
+        row = results[channel]
+        if channels == 1 and not backwards:
+            for i in range(count):
+                place[i] = row[i]
+        else:
+            for i in range(count):
+                place[np.uintp(channels * i + channel)] = row[np.uintp(count - 1 - i if backwards else i)]
+
+
+@compiled
+def finished(count, matrix, chromatic, balance, values, results):  # type: ignore[no-untyped-def]
+    """The rows of the quantity asked for: channels by way of xyY, balance and matrix; an empty one means none."""
+    if chromatic or balance.size:
+        coloured(count, chromatic, balance, values)
+    if matrix.size == 0:
+        return values
+    mixed(count, matrix, values, results)
+    return results
+
+
+@compiled
+def whole_map(first, last, rows, constants, letters, columns, segments, matrix, chromatic, balance, work, width, out):  # type: ignore[no-untyped-def]
+    """Rows first...last of a map into `out`, flat (rows x width x K).
+
+    `rows` (r, 3): 1 - cos(t - ts), 1 + cos(t + ts), sin t sin ts; `constants` (r, C, 2): R times the gradation, and C +
+    I sqrt(cos t); `columns` (2, n): 1 - cos and 1 + cos of the azimuth from the sun; `segments` (s, 4): first profile
+    value, count, the column where it goes, and the column where its mirror image starts (-1: none).
+    `work` (2 + C + K, 2048): scratch.
+    """
+    channels, quantity = letters.shape[0], matrix.shape[0] if matrix.size else letters.shape[0]
+    u, g, values, results = work[0], work[1], work[2 : 2 + channels], work[2 + channels :]
+    for row in range(first, last):
+        base, opposite, lever = rows[row, 0], rows[row, 1], rows[row, 2]
+        for segment in range(segments.shape[0]):
+            start, count = segments[segment, 0], segments[segment, 1]
+            for i in range(count):
+                one = base + lever * columns[0, np.uintp(start + i)]
+                u[i] = one
+                g[i] = angle(one, opposite + lever * columns[1, np.uintp(start + i)])
+            for c in range(channels):
+                level, k, light = constants[row, c, 0], letters[c], values[c]
+                smooth, d, f, peak = constants[row, c, 1] * level, k[4] * level, k[6] * level, k[7] * level
+                indicatrix(count, u, g, smooth, d, k[5], f, peak, k[8], k[9], light)
+                for i in range(count):
+                    light[i] = light[i] if light[i] > ZERO else ZERO
+            shown = finished(count, matrix, chromatic, balance, values, results)
+            for side in range(2):
+                column = segments[segment, 2 + side]
+                if column >= 0:
+                    place = (row * width + column) * quantity
+                    stored(count, quantity, shown, out[place : place + count * quantity], side == 1)
+
+
+@compiled
+def many_skies(first, last, letters, suns, states, directions, edges, matrix, chromatic, balance, work, out):  # type: ignore[no-untyped-def]
+    """Tiles first...last of skies x directions into `out`, flat (T x D x K); how many directions are no unit vectors.
+
+    `letters` (T, C, 11), `suns` (T, 3), `states` (T,): 1 day, 0 night (light 0), -1 not valid (NaN); `directions` flat
+    (D x 3); `edges`: the gradation's offset and floor. A tile is 2048 directions under 32 skies; directions are checked
+    under the first. `work` (8 + C + K, 2048): scratch.
+    """
+    total, skies, channels = directions.size // 3, letters.shape[0], letters.shape[1]
+    quantity = matrix.shape[0] if matrix.size else channels
+    blocks = (total + BLOCK - 1) // BLOCK
+    x, y, z, root, over, length, u, g = work[0], work[1], work[2], work[3], work[4], work[5], work[6], work[7]
+    values, results = work[8 : 8 + channels], work[8 + channels :]
+    offset, floor = edges[0], edges[1]
+    wrong = 0
+    for tile in range(first, last):
+        first_sky, start = (tile // blocks) * SKIES_IN_TILE, (tile % blocks) * BLOCK
+        count = min(BLOCK, total - start)
+        toward = directions[3 * start : 3 * (start + count)]
+        for i in range(count):
+            k = np.uintp(3 * i)
+            x[i], y[i], z[i] = toward[k], toward[k + np.uintp(1)], toward[k + np.uintp(2)]
+        for i in range(count):
+            length[i] = abs(x[i] * x[i] + y[i] * y[i] + z[i] * z[i] - ONE)
+            root[i] = np.sqrt(z[i] if z[i] > ZERO else ZERO)
+            lifted = z[i] + offset
+            over[i] = ONE / (lifted if lifted > floor else floor)
+            over[i] = over[i] if z[i] >= ZERO else -ONE
+        if first_sky == 0:
+            for i in range(count):
+                wrong += 0 if length[i] <= LENGTH_TOLERANCE else 1
+        for sky in range(first_sky, min(skies, first_sky + SKIES_IN_TILE)):
+            place = (sky * total + start) * quantity
+            here = out[place : place + count * quantity]
+            state = states[sky]
+            if state != ONE:
+                for i in range(count * quantity):
+                    here[i] = ZERO if state == ZERO else real(np.nan)
+                continue
+            sx, sy, sz = suns[sky, 0], suns[sky, 1], suns[sky, 2]
+            for i in range(count):
+                ax, ay, az = x[i] - sx, y[i] - sy, z[i] - sz
+                bx, by, bz = x[i] + sx, y[i] + sy, z[i] + sz
+                one = real(0.5) * (ax * ax + ay * ay + az * az)
+                u[i] = one
+                g[i] = angle(one, real(0.5) * (bx * bx + by * by + bz * bz))
+            for c in range(channels):
+                k, light = letters[sky, c], values[c]
+                indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], light)
+                graded(count, over, root, k[0], k[0] * k[1], k[2], k[10], light)
+            stored(count, quantity, finished(count, matrix, chromatic, balance, values, results), here, False)
+    return wrong
