@@ -1,0 +1,147 @@
+"""An atmosphere: constituents in spherical shells over a ground, lit by a sun."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at, require_share
+from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
+from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
+from skydome.air.profiles import Exponential
+from skydome.ground.tables import columns
+from skydome.light.spectrum import Spectrum
+
+__all__ = ["DARK_GREEN", "Atmosphere"]
+
+
+def grass() -> Spectrum:
+    """The spectral albedo of grass, 360-800 nm (Feister and Grewe 1995)."""
+    table = columns("grass_albedo")
+    return Spectrum(table["wavelength_nm"], table["albedo"])
+
+
+DARK_GREEN = Spectrum([499.0, 500.0], [0.04, 0.08])
+"""A plain picture of vegetated ground: 0.04 below 500 nm, 0.08 above."""
+
+
+@dataclass(frozen=True)
+class Atmosphere:
+    """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
+
+    `height` is the top of the air above the ground, m. `sunlight`: a `Spectrum` of the irradiance above the air,
+    W m-2 nm-1 (None: ASTM G173-03), times `sun_scale`.
+
+    >>> air = Atmosphere.standard(aerosol_depth=0.06)
+    >>> air.depth([550.0]).round(3).tolist()
+    [0.186]
+    """
+
+    constituents: tuple[Constituent, ...] = field(default_factory=lambda: (Molecules(), Aerosol(), Ozone()))
+    albedo: Any = 0.1
+    radius: float = 6_371_000.0
+    height: float = 100_000.0
+    sunlight: Spectrum | None = None
+    sun_scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        require_share("albedo", self.albedo)
+        for name in ("radius", "height"):
+            if not 0 < getattr(self, name) < 1e12:
+                raise ValueError(f"{name} must lie in (0, 1e12) m, got {getattr(self, name)}")
+        if not self.constituents:
+            raise ValueError("an atmosphere needs at least one constituent, got none")
+
+    @classmethod
+    def standard(
+        cls,
+        aerosol_depth: float = 0.1,
+        asymmetry: float = 0.76,
+        pressure: float = 101325.0,
+        ozone: float = 330.0,
+        albedo: Any = 0.1,
+        phase: PhaseLaw | None = None,
+        aerosol_albedo: Any = 0.92,
+        sun_scale: float = 1.0,
+    ) -> "Atmosphere":
+        """Clear air of the earth: Rayleigh, aerosol (scale height 1.5 km, Angstrom exponent 1.3), ozone (Dobson units).
+
+        `phase` replaces the one Henyey-Greenstein lobe of `asymmetry`.
+        """
+        law = HenyeyGreenstein((asymmetry,)) if phase is None else phase
+        aerosol = Aerosol(aerosol_depth, albedo=aerosol_albedo, phase=law)
+        return cls((Molecules(pressure), aerosol, Ozone(ozone)), albedo, sun_scale=sun_scale)
+
+    @classmethod
+    def from_turbidity(cls, turbidity: float, albedo: Any = 0.1, ozone: float = 350.0) -> "Atmosphere":
+        """Air of a turbidity as Preetham (section 2.2) and Hosek and Wilkie mean it, 1 is clean air.
+
+        Turbidity is the vertical optical depth of molecules and haze over that of molecules at 550 nm. The haze has
+        Preetham's scale height of 1.2 km, Angstrom exponent 1.3 (A.1); it scatters all, by Bullrich's table.
+
+        >>> air = Atmosphere.from_turbidity(3.0, ozone=0.0)
+        >>> bool(np.isclose(air.depth([550.0])[0] / rayleigh_depth([550.0])[0], 3.0))
+        True
+        """
+        if not 1 <= turbidity <= 64:
+            raise ValueError(f"turbidity must lie in [1, 64], got {turbidity}")
+        depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
+        haze = Aerosol(depth, albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
+        return cls((Molecules(), haze, Ozone(ozone)), albedo)
+
+    @classmethod
+    def bruneton2016(cls) -> "Atmosphere":
+        """The shared air of Bruneton's evaluation (2016): no ozone, a strongly absorbing aerosol, grass.
+
+        Penndorf's Rayleigh coefficients at 15 C over 8 km; aerosol 0.04 x micrometres^-0.8 over 1.2 km, single
+        scattering albedo 0.8, Cornette-Shanks g 0.7; radius 6360 km, top at 60 km.
+        """
+        table = columns("penndorf_1957")
+        depths = Spectrum(table["wavelength_nm"], table["coefficient"] * (273.16 / 288.16) * 8000.0)
+        aerosol = Aerosol(0.04 * 0.55**-0.8, 0.8, 0.8, CornetteShanks(0.7), Exponential(1200.0))
+        molecules = Molecules(depolarisation=0.0, optical_depth=depths)
+        return cls((molecules, aerosol), grass(), radius=6_360_000.0, height=60_000.0)
+
+    @property
+    def wavelengths_alike(self) -> bool:
+        """True where no constituent's phase function changes with wavelength."""
+        return not any(isinstance(part.phase_law, Haze) for part in self.constituents)
+
+    def depth(self, wavelengths: Any) -> np.ndarray:
+        """Vertical optical depth of everything above the ground, (W,)."""
+        return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
+
+    def albedo_at(self, wavelengths: Any) -> np.ndarray:
+        """The ground's albedo, (W,)."""
+        return at(self.albedo, wavelengths)
+
+    def sun_at(self, wavelengths: Any) -> np.ndarray:
+        """Irradiance of the sun above the air on a plane that faces it, W m-2 nm-1, (W,)."""
+        light = solar_irradiance(wavelengths) if self.sunlight is None else self.sunlight.at(wavelengths)
+        return light * self.sun_scale
+
+    def transmittance(self, cos_zenith: Any, wavelengths: Any) -> np.ndarray:
+        """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
+
+        `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5.
+
+        >>> vacuum = Atmosphere((Molecules(optical_depth=0.0),))
+        >>> vacuum.transmittance(0.5, [550.0]).tolist()
+        [1.0]
+        """
+        result: np.ndarray = np.exp(-self.slant_depths(cos_zenith, wavelengths))
+        return result
+
+    def slant_depths(self, cos_zenith: Any, wavelengths: Any) -> np.ndarray:
+        """Optical depth of a straight ray from the ground to space, (..., W)."""
+        t, w = np.polynomial.legendre.leggauss(200)
+        t, w = (t + 1) / 2, w / 2
+        heights, steps = self.height * t**3, self.height * 3 * t * t * w
+        cosine = np.asarray(cos_zenith, dtype=np.float64)[..., None]
+        sine_square = (1 - cosine**2) * (self.radius / (self.radius + heights)) ** 2
+        paths = steps / np.sqrt(np.maximum(1 - sine_square, 1e-300))
+        parts = [
+            (paths @ part.profile.density(heights))[..., None] * part.depth(wavelengths) for part in self.constituents
+        ]
+        total: np.ndarray = np.sum(parts, axis=0)
+        return total

@@ -1,0 +1,142 @@
+"""What air is made of: molecules that scatter, aerosol that scatters and absorbs, ozone that absorbs."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
+from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
+from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
+from skydome.light.spectrum import Spectrum
+
+
+def at(value: Any, wavelengths: Any) -> np.ndarray:
+    """A number or a `Spectrum` at wavelengths, (W,)."""
+    w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    return value.at(w) if isinstance(value, Spectrum) else np.full(w.shape, float(value))
+
+
+def require_share(name: str, value: Any) -> None:
+    """ValueError unless a number or `Spectrum` lies in [0, 1] everywhere."""
+    numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
+    wrong = numbers[~((numbers >= 0) & (numbers <= 1))]
+    if wrong.size:
+        raise ValueError(f"{name} must lie in [0, 1], got {wrong.flat[0]:g}")
+
+
+def require_positive(name: str, value: Any) -> None:
+    """ValueError unless a number or `Spectrum` is finite and not negative."""
+    numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
+    wrong = numbers[~((numbers >= 0) & np.isfinite(numbers))]
+    if wrong.size:
+        raise ValueError(f"{name} must be finite and not negative, got {wrong.flat[0]:g}")
+
+
+class Constituent(ABC):
+    """A constituent: vertical optical depth, profile, share scattered, phase function."""
+
+    profile: Profile
+
+    @abstractmethod
+    def depth(self, wavelengths: Any) -> np.ndarray:
+        """Vertical optical depth of extinction above the ground at wavelengths (W,) nm, shape (W,)."""
+
+    @abstractmethod
+    def scattered(self, wavelengths: Any) -> np.ndarray:
+        """Single scattering albedo: the share of the extinction that is scattered, shape (W,)."""
+
+    @property
+    @abstractmethod
+    def phase_law(self) -> PhaseLaw:
+        """How the scattered light is spread."""
+
+
+@dataclass(frozen=True)
+class Molecules(Constituent):
+    """Air's molecules under a surface `pressure`, Pa; `optical_depth` (number or `Spectrum`) replaces Bodhaine's."""
+
+    pressure: float = STANDARD_PRESSURE
+    profile: Profile = field(default_factory=lambda: Exponential(8000.0))
+    depolarisation: float = 0.0279
+    optical_depth: Any = None
+
+    def __post_init__(self) -> None:
+        require_positive("pressure", self.pressure)
+        if self.optical_depth is not None:
+            require_positive("optical_depth", self.optical_depth)
+
+    def depth(self, wavelengths: Any) -> np.ndarray:
+        """By Bodhaine et al. 1999, or as given."""
+        if self.optical_depth is not None:
+            return at(self.optical_depth, wavelengths)
+        return rayleigh_depth(wavelengths, self.pressure)
+
+    def scattered(self, wavelengths: Any) -> np.ndarray:
+        """All of it."""
+        return at(1.0, wavelengths)
+
+    @property
+    def phase_law(self) -> PhaseLaw:
+        """Rayleigh's."""
+        return Rayleigh(self.depolarisation)
+
+
+@dataclass(frozen=True)
+class Aerosol(Constituent):
+    """Haze of vertical `optical_depth` at 550 nm that goes as wavelength^-`angstrom` (or a `Spectrum` of depths).
+
+    `albedo` is its single scattering albedo (number or `Spectrum`), `phase` its phase law.
+    """
+
+    optical_depth: Any = 0.1
+    angstrom: float = 1.3
+    albedo: Any = 0.92
+    phase: PhaseLaw = field(default_factory=HenyeyGreenstein)
+    profile: Profile = field(default_factory=lambda: Exponential(1500.0))
+
+    def __post_init__(self) -> None:
+        require_positive("optical_depth", self.optical_depth)
+        require_share("aerosol albedo", self.albedo)
+
+    def depth(self, wavelengths: Any) -> np.ndarray:
+        """Angstrom's law, or the given spectrum."""
+        depth = at(self.optical_depth, wavelengths)
+        if isinstance(self.optical_depth, Spectrum):
+            return depth
+        result: np.ndarray = depth * (np.atleast_1d(np.asarray(wavelengths, dtype=float)) / 550) ** -self.angstrom
+        return result
+
+    def scattered(self, wavelengths: Any) -> np.ndarray:
+        """The single scattering albedo."""
+        return at(self.albedo, wavelengths)
+
+    @property
+    def phase_law(self) -> PhaseLaw:
+        """The phase law given."""
+        return self.phase
+
+
+@dataclass(frozen=True)
+class Ozone(Constituent):
+    """Ozone, which absorbs only: `column` in Dobson units."""
+
+    column: float = 330.0
+    profile: Profile = OZONE_LAYER
+
+    def __post_init__(self) -> None:
+        require_positive("ozone column", self.column)
+
+    def depth(self, wavelengths: Any) -> np.ndarray:
+        """Cross section times column."""
+        return ozone_cross_section(wavelengths) * (DOBSON * self.column)
+
+    def scattered(self, wavelengths: Any) -> np.ndarray:
+        """Nothing."""
+        return at(0.0, wavelengths)
+
+    @property
+    def phase_law(self) -> PhaseLaw:
+        """Any: nothing is scattered."""
+        return Rayleigh()

@@ -1,0 +1,119 @@
+"""Phase functions as objects: their value, and their Legendre moments for solvers that want them."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
+from skydome.ground.quadrature import gauss_legendre
+
+
+class PhaseLaw(ABC):
+    """A phase function, sr-1, whose integral over the sphere is 1, at any wavelength."""
+
+    @abstractmethod
+    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+        """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
+
+    def moments(self, count: int, wavelengths: Any) -> np.ndarray:
+        """Legendre moments 0 .. count - 1 (the first is 1), shape (count, W), by quadrature in the angle."""
+        t, w = gauss_legendre(max(512, 4 * count))
+        cosine = np.cos(np.pi * t)
+        weight = 2 * np.pi * np.pi * w * np.sin(np.pi * t)
+        moments: np.ndarray = (legendre(count, cosine) * weight) @ self.value(cosine, wavelengths)
+        return moments / moments[0]
+
+
+def legendre(count: int, cosine: np.ndarray) -> np.ndarray:
+    """Legendre polynomials P_0 .. P_(count - 1) of the cosine (N,), shape (count, N)."""
+    rows = [np.ones_like(cosine), cosine]
+    for n in range(1, count - 1):
+        rows.append(((2 * n + 1) * cosine * rows[-1] - n * rows[-2]) / (n + 1))
+    return np.stack(rows[:count])
+
+
+@dataclass(frozen=True)
+class Rayleigh(PhaseLaw):
+    """Rayleigh's phase function with a `depolarisation` factor (a number, for all wavelengths)."""
+
+    depolarisation: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.depolarisation < 0.5:
+            raise ValueError(f"depolarisation must lie in [0, 0.5), got {self.depolarisation}")
+
+    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+        """Chandrasekhar's generalised form, the same for all wavelengths."""
+        return spread(rayleigh(np.asarray(cosine), self.depolarisation), wavelengths)
+
+
+@dataclass(frozen=True)
+class HenyeyGreenstein(PhaseLaw):
+    """A sum of Henyey-Greenstein lobes: `asymmetries` g in (-1, 1) and the `weights` of each, made to sum to 1.
+
+    >>> bool(np.isclose(HenyeyGreenstein((0.85, 0.6), (1.0, 1.0)).moments(2, [550.0])[1, 0], 0.725))
+    True
+    """
+
+    asymmetries: tuple[float, ...] = (0.76,)
+    weights: tuple[float, ...] = (1.0,)
+
+    def __post_init__(self) -> None:
+        if len(self.asymmetries) != len(self.weights) or not self.weights:
+            raise ValueError(
+                f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
+            )
+        for g in self.asymmetries:
+            if not -1 < g < 1:
+                raise ValueError(f"asymmetry must lie in (-1, 1), got {g}")
+        if not (min(self.weights) >= 0 and sum(self.weights) > 0):
+            raise ValueError(f"weights must not be negative, nor all 0, got {self.weights}")
+
+    @property
+    def shares(self) -> np.ndarray:
+        """The weights scaled to a sum of 1."""
+        weights = np.asarray(self.weights, dtype=np.float64)
+        return weights / weights.sum()
+
+    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+        """The lobes' sum, the same for all wavelengths."""
+        cosine = np.asarray(cosine, dtype=np.float64)[..., None]
+        lobes = henyey_greenstein(cosine, np.asarray(self.asymmetries)) @ self.shares
+        return spread(lobes, wavelengths)
+
+    def moments(self, count: int, wavelengths: Any) -> np.ndarray:
+        """The sum of g^n, exact."""
+        powers = np.asarray(self.asymmetries) ** np.arange(count)[:, None]
+        return spread(powers @ self.shares, wavelengths)
+
+
+@dataclass(frozen=True)
+class CornetteShanks(PhaseLaw):
+    """Cornette and Shanks's phase function of `asymmetry` g in (-1, 1)."""
+
+    asymmetry: float = 0.76
+
+    def __post_init__(self) -> None:
+        if not -1 < self.asymmetry < 1:
+            raise ValueError(f"asymmetry must lie in (-1, 1), got {self.asymmetry}")
+
+    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+        """The same for all wavelengths."""
+        return spread(cornette_shanks(np.asarray(cosine, dtype=np.float64), self.asymmetry), wavelengths)
+
+
+@dataclass(frozen=True)
+class Haze(PhaseLaw):
+    """The Mie table of haze (Bullrich, as Preetham 1999, Table 1 prints it)."""
+
+    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+        """Interpolated in angle and wavelength."""
+        values: np.ndarray = haze(np.asarray(cosine, dtype=np.float64), wavelengths)
+        return values
+
+
+def spread(values: np.ndarray, wavelengths: Any) -> np.ndarray:
+    """Values (...,) repeated for each of the wavelengths, (..., W)."""
+    return np.repeat(np.asarray(values)[..., None], np.size(wavelengths), axis=-1)

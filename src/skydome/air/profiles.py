@@ -1,0 +1,94 @@
+"""How a constituent of the air is spread over height."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+
+class Profile(ABC):
+    """Density over height above the ground, scaled to a column of 1."""
+
+    @abstractmethod
+    def density(self, heights: Any) -> np.ndarray:
+        """Density at heights, m-1; its integral over all heights is 1."""
+
+    @abstractmethod
+    def above(self, heights: Any) -> np.ndarray:
+        """The part of the column above heights, 1 at the ground, dimensionless."""
+
+
+@dataclass(frozen=True)
+class Exponential(Profile):
+    """Density that falls by e each `scale_height`, m.
+
+    >>> Exponential(8000.0).above([0.0, 8000.0]).round(4).tolist()
+    [1.0, 0.3679]
+    """
+
+    scale_height: float
+
+    def __post_init__(self) -> None:
+        if not 0 < self.scale_height < 1e6:
+            raise ValueError(f"scale_height must lie in (0, 1e6) m, got {self.scale_height}")
+
+    def density(self, heights: Any) -> np.ndarray:
+        """exp(-h / H) / H."""
+        result: np.ndarray = np.exp(-np.asarray(heights, dtype=np.float64) / self.scale_height) / self.scale_height
+        return result
+
+    def above(self, heights: Any) -> np.ndarray:
+        """exp(-h / H)."""
+        result: np.ndarray = np.exp(-np.asarray(heights, dtype=np.float64) / self.scale_height)
+        return result
+
+
+@dataclass(frozen=True)
+class Tabulated(Profile):
+    """Density that is linear between `heights`, m, and 0 outside; `densities` in any unit.
+
+    ValueError unless heights increase from 0 or more and densities are not negative, not all 0.
+
+    >>> ozone = Tabulated((10_000.0, 25_000.0, 40_000.0), (0.0, 1.0, 0.0))
+    >>> ozone.above([0.0, 25_000.0]).tolist()
+    [1.0, 0.5]
+    """
+
+    heights: tuple[float, ...]
+    densities: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        heights, densities = np.asarray(self.heights, dtype=float), np.asarray(self.densities, dtype=float)
+        if heights.ndim != 1 or heights.shape != densities.shape or heights.size < 2:
+            raise ValueError(f"heights and densities must be two lists of one length >= 2, got {heights.shape}")
+        if not (np.isfinite(heights).all() and heights[0] >= 0 and (np.diff(heights) > 0).all()):
+            raise ValueError("heights must increase strictly from 0 m or more")
+        if not (np.isfinite(densities).all() and (densities >= 0).all() and densities.any()):
+            raise ValueError(
+                f"densities must be finite, not negative, and not all 0, got a least of {densities.min():g}"
+            )
+
+    @property
+    def column(self) -> float:
+        """The integral of the given densities."""
+        return float(np.trapezoid(self.densities, self.heights))
+
+    def density(self, heights: Any) -> np.ndarray:
+        """The densities interpolated, m-1."""
+        return np.interp(heights, self.heights, self.densities, left=0.0, right=0.0) / self.column
+
+    def above(self, heights: Any) -> np.ndarray:
+        """One minus the integral of the piecewise linear density up to each height."""
+        knots, values = np.asarray(self.heights), np.asarray(self.densities)
+        whole = np.concatenate([[0.0], np.cumsum(np.diff(knots) * (values[1:] + values[:-1]) / 2)])
+        h = np.clip(np.asarray(heights, dtype=np.float64), knots[0], knots[-1])
+        k = np.clip(np.searchsorted(knots, h, side="right") - 1, 0, knots.size - 2)
+        x = h - knots[k]
+        slope = (values[k + 1] - values[k]) / (knots[k + 1] - knots[k])
+        result: np.ndarray = 1 - (whole[k] + values[k] * x + slope * x * x / 2) / self.column
+        return np.maximum(result, 0.0)
+
+
+OZONE_LAYER = Tabulated((10_000.0, 25_000.0, 40_000.0), (0.0, 1.0, 0.0))
+"""A tent from 10 to 40 km with its top at 25 km: a plain picture of the ozone layer at middle latitudes."""
