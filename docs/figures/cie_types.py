@@ -1,4 +1,4 @@
-"""cie_types.png: the fifteen skies of CIE S 011 over their zenith luminance; perez.png: Perez's eight kinds of weather."""
+"""cie_types.png: the fifteen skies of CIE S 011; perez.png: Perez's eight kinds of weather."""
 
 import numpy as np
 from drawing import keep_plot, sky_toward

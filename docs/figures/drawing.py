@@ -84,7 +84,7 @@ def table(head, rows):
 
 
 def marks(name):
-    return f"<!-- measured: {name} -->\n", f"\n<!-- end: {name} -->"
+    return f"<!-- measured: {name} -->\n\n", f"\n\n<!-- end: {name} -->"
 
 
 def printed(page, name):

@@ -1,8 +1,15 @@
-"""skies.png: five sun heights x three turbidities of each model, one exposure a row; the two panoramas of the README."""
+"""skies.png: five sun heights x three turbidities of each model; the two panoramas of the README."""
 
 import numpy as np
 from drawing import (
-    canvas, common_exposure, disc_picture, dome_light, keep, sky_toward, to_bytes, write,
+    canvas,
+    common_exposure,
+    disc_picture,
+    dome_light,
+    keep,
+    sky_toward,
+    to_bytes,
+    write,
 )  # fmt: skip
 from PIL import Image
 
@@ -70,7 +77,9 @@ def skies_picture():
             image.paste(Image.fromarray(picture), (x, y))
             if k == 0:
                 write(draw, (x + SIDE / 2, 42), label, 14)
-    note = "looking up: north at the top, east at the left, the sun in the south-west; one exposure a row; no sun's disc"
+    note = (
+        "looking up: north at the top, east at the left, the sun in the south-west; one exposure a row; no sun's disc"
+    )
     write(draw, (LEFT, image.height - 12), note, 13, anchor="lm")
     return image
 
