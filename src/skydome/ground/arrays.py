@@ -7,13 +7,19 @@ import numpy as np
 
 type_error = "arrays of different libraries cannot be mixed, got {}; convert them to one library first"
 
+WITHOUT_DTYPE = (int, float, np.generic, list, tuple)
+"""Types of bare numbers; a tuple, as torch.compile does not read unions of types."""
+
+HELD_BY_NUMPY = (np.ndarray, *WITHOUT_DTYPE)
+"""Types that NumPy holds without another library."""
+
 Array = Any
 """Any array of the array API (numpy, torch, jax); shapes are stated in docstrings."""
 
 
 def is_numpy(value: Any) -> bool:
     """True for what NumPy can hold without another library: arrays, numbers, lists."""
-    return isinstance(value, np.ndarray | np.generic | int | float | list | tuple | bool) or value is None
+    return value is None or isinstance(value, HELD_BY_NUMPY)
 
 
 def namespace(*values: Any) -> Any:
@@ -27,9 +33,14 @@ def namespace(*values: Any) -> Any:
     foreign = [value for value in values if not is_numpy(value)]
     if not foreign:
         return np
+    own = [value for value in values if isinstance(value, np.ndarray)]
+    if not own and all(is_torch(value) for value in foreign):
+        from array_api_compat import torch
+
+        require_one_device(foreign)
+        return torch
     import array_api_compat
 
-    own = [value for value in values if isinstance(value, np.ndarray)]
     libraries = sorted({type(value).__module__.split(".")[0] for value in foreign + own})
     try:
         return array_api_compat.array_namespace(*foreign, *own)
@@ -37,9 +48,23 @@ def namespace(*values: Any) -> Any:
         raise TypeError(type_error.format(" and ".join(libraries))) from error
 
 
+def is_torch(value: Any) -> bool:
+    """True for a torch tensor."""
+    torch = sys.modules.get("torch")
+    return torch is not None and isinstance(value, torch.Tensor)
+
+
+def require_one_device(tensors: list[Any]) -> None:
+    """TypeError where torch tensors live on several devices; single numbers of the CPU go along with any, as in torch."""
+    devices = {str(tensor.device) for tensor in tensors if tensor.ndim or not tensor.device.type == "cpu"}
+    if len(devices) > 1:
+        got = " and ".join(sorted(devices))
+        raise TypeError(f"arrays on different devices cannot be mixed, got {got}; move them to one device first")
+
+
 def is_number(value: Any) -> bool:
     """True for a bare number, or a list of them, that has no dtype of its own to keep."""
-    return isinstance(value, int | float | np.generic | list | tuple)
+    return isinstance(value, WITHOUT_DTYPE)
 
 
 def floating(value: Any, like: Any = None) -> Array:
@@ -70,9 +95,15 @@ def constant(table: Any, like: Array) -> Array:
 
 
 def is_concrete(value: Any) -> bool:
-    """False for a JAX tracer, whose values cannot be looked at while a function is being compiled."""
-    jax = sys.modules.get("jax")
-    return jax is None or not isinstance(value, jax.core.Tracer)
+    """False where the values cannot be looked at: while JAX or torch traces, compiles or maps a function, and on "meta"."""
+    jax, torch = sys.modules.get("jax"), sys.modules.get("torch")
+    if jax is not None and isinstance(value, jax.core.Tracer):
+        return False
+    if torch is None or not isinstance(value, torch.Tensor):
+        return True
+    if torch.compiler.is_compiling() or value.is_meta:
+        return False
+    return not torch._C._functorch.is_functorch_wrapped_tensor(value)  # torch.func has no public question for it
 
 
 def as_numpy(value: Any) -> np.ndarray:

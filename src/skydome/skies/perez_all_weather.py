@@ -48,7 +48,7 @@ def clearness_bin(epsilon: Array) -> Array:
 def table_rows(table: str, names: list[str], index: Array, like: Array) -> Array:
     """The named columns of a table at the rows `index` (...,), shape (..., len(names))."""
     stacked = np.stack([columns(table)[name] for name in names], axis=-1)
-    return constant(stacked, like)[index]
+    return constant(stacked, like)[index[..., None]][..., 0, :]  # a lone index would be fetched from its device
 
 
 def distribution_letters(epsilon: Array, delta: Array, sun_zenith: Array) -> tuple[Array, ...]:

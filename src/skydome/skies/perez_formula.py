@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, floating, is_numpy, limited, namespace, safe_sqrt
-from skydome.ground.directions import half_chord_squared
+from skydome.ground.arrays import Array, at_least, floating, is_numpy, namespace, safe_sqrt
+from skydome.ground.directions import angle_between
 from skydome.ground.quadrature import half_hemisphere_about
 
 R, A, B, C, D, E, F, G, H, I = range(10)  # noqa: E741 (the papers' letters)
@@ -80,9 +80,7 @@ def evaluate(
 
 def view_geometry(directions: Array, sun: Array) -> tuple[Array, Array]:
     """Cosine of the view's zenith angle (...,), and angle to the sun (...,) by the haversine form, radians."""
-    xp = namespace(directions, sun)
-    half = safe_sqrt(limited(half_chord_squared(directions, sun), 0.0, 1.0))
-    return at_least(directions[..., 2], 0.0), 2 * xp.asin(half)
+    return at_least(directions[..., 2], 0.0), angle_between(directions, sun)
 
 
 def horizontal_integral(

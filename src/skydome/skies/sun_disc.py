@@ -36,7 +36,7 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
     piece = limited(xp.floor(position), 0.0, 44.0)
     x = sun_elevation - (piece / 45) ** 3 * (np.pi / 2)
     table = constant(archive("hosek_wilkie_2013")["solar_radiance"].transpose(1, 0, 2, 3), x)  # (45, 10, 11, 4)
-    cubic = table[xp.astype(piece, xp.int32)]
+    cubic = table[xp.astype(piece, xp.int32)[..., None]][..., 0, :, :, :]  # a lone index would leave its device
     x = x[..., None, None]
     bands = ((cubic[..., 3] * x + cubic[..., 2]) * x + cubic[..., 1]) * x + cubic[..., 0]
     return xp.sum(bands * turbidity_weights(turbidity)[..., None], axis=-2)
