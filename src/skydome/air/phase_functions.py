@@ -8,7 +8,6 @@ import numpy as np
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_sqrt
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
-from skydome.light.spectrum import checked_wavelengths
 
 
 def rayleigh(cos_angle: Array, depolarisation: float = 0.0) -> Array:
@@ -94,7 +93,7 @@ def wavelength_weights(wavelengths: Any) -> np.ndarray:
     The line from 400 to 450 nm is followed down to 350 nm; beyond 350 and 850 nm the end values are held.
     """
     known = np.array([400.0, 450.0, 550.0, 650.0, 850.0])
-    w = np.clip(checked_wavelengths(wavelengths), 350.0, 850.0)
+    w = np.clip(np.asarray(wavelengths, dtype=np.float64), 350.0, 850.0)
     left = np.clip(np.searchsorted(known, w, side="right") - 1, 0, 3)
     part = (w - known[left]) / (known[left + 1] - known[left])
     rows = np.eye(5)

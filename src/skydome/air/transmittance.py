@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from skydome.air.optical_mass import kasten_1966
-from skydome.ground.arrays import Array, constant, floating, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum, checked_wavelengths, interpolated, xyz_weights
@@ -117,11 +117,11 @@ class ClearAir:
 
     def __post_init__(self) -> None:
         """Validate only."""
-        if self.beta is None and np.any(np.asarray(self.turbidity) < 1):
+        if self.beta is None and np.any(as_numpy(self.turbidity) < 1):
             raise ValueError(f"turbidity must be 1 or more, got {self.turbidity}")
         for name in ("beta", "ozone", "water"):
             value = getattr(self, name)
-            if value is not None and np.any(np.asarray(value) < 0):
+            if value is not None and np.any(as_numpy(value) < 0):
                 raise ValueError(f"{name} must be 0 or more, got {value}")
 
     def transmittance(self, sun: Array, wavelengths: Any) -> Array:

@@ -1,0 +1,250 @@
+"""Aerial perspective: the default against adaptive quadrature, physics, the published form's errors, bad input."""
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome import deg
+from skydome.air.scattering import gas_total, haze_total
+from skydome.scene import aerial_perspective as module
+from skydome.scene.aerial_perspective import AirLight, aerial_perspective
+from skydome.scene.aerial_perspective_integrals import FewNodes, Ray, coefficients_like, mean_fall, optical_depth
+from skydome.scene.aerial_perspective_published import AdaptiveQuadrature, PublishedClosedForm
+from skydome.scene.ward_larson import WardLarson
+
+ZENITHS = (
+    np.unique(np.concatenate([np.arange(0, 121, 5.0), np.arange(85, 95.1, 0.5), [89.9, 89.99, 90.01, 90.1]])) * deg
+)
+DISTANCES = np.logspace(2, 5, 13)
+WAVELENGTHS = [450.0, 550.0, 650.0]
+SUN = sd.direction(azimuth=250 * deg, elevation=25 * deg)
+
+
+def case(turbidity, height, dtype=np.float64):
+    distance, cosine = (a.astype(dtype) for a in np.meshgrid(DISTANCES, np.cos(ZENITHS), indexing="ij"))
+    haze_550, gas_550 = float(haze_total([550.0], turbidity)[0]), float(gas_total([550.0])[0])
+    air = coefficients_like(haze_total(WAVELENGTHS, turbidity), gas_total(WAVELENGTHS), haze_550, gas_550, distance)
+    return Ray.at(distance, cosine, np.asarray(height, dtype)), air
+
+
+def sunny(turbidity=3.0, sun=SUN):
+    sky = sd.Preetham(sun, turbidity)
+    return sky + sd.SunDisc.of(sky)
+
+
+@pytest.mark.parametrize("height", [0.0, 3000.0])
+@pytest.mark.parametrize("turbidity", [2.0, 4.0, 6.0])
+def test_default_stays_within_two_thousandths_of_quadrature(turbidity, height):
+    ray, air = case(turbidity, height)
+    reference = AdaptiveQuadrature().integrals(ray, air)
+    for dtype in (np.float64, np.float32):
+        found = FewNodes().integrals(*case(turbidity, height, dtype))
+        for own, true in zip(found, reference, strict=True):
+            assert own.dtype == dtype
+            assert np.abs(own / true - 1).max() < 2e-3
+            assert np.abs(own / true - 1)[:, np.cos(ZENITHS) >= 0].max() < 1e-4  # level and up: far better
+
+
+def test_reference_is_scipy_quad():
+    """One steep and one level ray by scipy's plain quad, written out."""
+    from scipy.integrate import quad
+
+    ray, air = case(4.0, 0.0)
+    found = AdaptiveQuadrature().integrals(ray, air)
+    for i, j in ((8, 3), (6, 30), (5, -4)):
+        s, c = DISTANCES[i], np.cos(ZENITHS[j])
+
+        def seen(x, c=c):
+            a, b = (d * c for d in (0.8333e-3, 0.1136e-3))
+            columns = [-np.expm1(-k * x) / k if k else x for k in (a, b)]
+            return np.exp(-a * x - air.haze[1] * columns[0] - air.gas[1] * columns[1])
+
+        assert found[0][i, j, 1] == pytest.approx(quad(seen, 0, s, epsrel=1e-10, limit=500)[0], rel=1e-8)
+
+
+def test_published_closed_form_has_the_documented_errors():
+    ray, air = case(4.0, 0.0)
+    reference = AdaptiveQuadrature().integrals(ray, air)
+    found = PublishedClosedForm().integrals(ray, air)
+    worst = np.max([np.abs(a / b - 1).max(axis=(1, 2)) for a, b in zip(found, reference, strict=True)], axis=0)
+    assert worst[DISTANCES <= 1000].max() < 0.05
+    assert worst[DISTANCES <= 3000].max() < 0.15
+    assert worst[DISTANCES >= 30000].max() > 10  # why it is not the default
+
+
+def test_no_seam():
+    """I1 and I2 change evenly with the zenith angle and the distance: no step where up turns into down."""
+    zenith = np.linspace(80, 100, 40001) * deg
+    _, air = case(4.0, 0.0)
+    ray = Ray.at(np.full(zenith.shape, 2e4), np.cos(zenith), np.asarray(0.0))
+    for values in FewNodes().integrals(ray, air):
+        slope = np.diff(np.log(values), axis=0) / np.diff(zenith)[:, None]
+        assert np.abs(np.diff(slope, axis=0)).max() < 0.02 * np.abs(slope).max()
+
+
+def test_energy_identity_is_exact():
+    ray, air = case(3.0, 0.0)
+    first, second = FewNodes().integrals(ray, air)
+    tau = np.exp(-optical_depth(ray, air))
+    assert air.haze * first + air.gas * second == pytest.approx(1 - tau, rel=1e-12)
+
+
+def test_transmittance_falls_with_distance_up_level_and_down():
+    """The printed sign of K would make it rise."""
+    for elevation in (60, 5, 0, -1, -20):
+        air = aerial_perspective(sunny(), np.logspace(1, 5, 60), sd.direction(azimuth=0.0, elevation=elevation * deg))
+        assert np.all(np.diff(air.transmittance, axis=0) <= 0)
+        assert np.all((air.transmittance >= 0) & (air.transmittance <= 1))
+        assert np.all(np.diff(air.inscattered, axis=0) >= -1e-9)
+
+
+def test_no_distance_changes_nothing():
+    air = aerial_perspective(sunny(), 0.0, sd.EAST, wavelengths=[450.0, 550.0])
+    assert np.abs(air.transmittance - 1).max() < 1e-12
+    assert np.abs(air.inscattered).max() < 1e-12
+
+
+def test_uniform_light_stays_uniform():
+    """In a white furnace (sky and ground the same) the veil of an endless ray is the furnace."""
+    furnace = sd.Daylight(sd.Uniform(1000.0))
+    air = aerial_perspective(furnace, 5e5, sd.direction(0.3, np.array([0.0, -0.02])), turbidity=3.0, ground_albedo=1.0)
+    assert air.inscattered == pytest.approx(1000.0, rel=0.01)
+
+
+@pytest.mark.parametrize("elevation", [20, 45, 70])
+@pytest.mark.parametrize("turbidity", [3.0, 6.0])
+def test_far_rays_tend_to_the_horizon_sky(turbidity, elevation):
+    """Chromaticity and the mean luminance of the horizon within 15 % (docs: not at turbidity 2, nor near sunset)."""
+    sun = sd.direction(azimuth=180 * deg, elevation=elevation * deg)
+    from skydome.air.transmittance import ClearAir
+    from skydome.light.colour import xyz_from_rgb
+
+    sky = sd.Preetham(sun, turbidity)
+    disc = sd.SunDisc(sun, turbidity, direct_normal_illuminance=float(ClearAir(turbidity).normal_xyz(sun)[1]))
+    azimuths = np.arange(0, 360, 15) * deg
+    far = xyz_from_rgb(
+        aerial_perspective(sky + disc, 1e6, sd.direction(azimuths, 0.0), ground_albedo=0.1).inscattered
+    ).mean(axis=0)
+    horizon = sky.xyz(sd.direction(azimuths, 1 * deg)).mean(axis=0)
+    assert far[:2] / far.sum() == pytest.approx(horizon[:2] / horizon.sum(), rel=0.15)
+    assert far[1] == pytest.approx(horizon[1], rel=0.15)
+
+
+def test_blue_away_from_a_low_sun_and_warm_toward_it():
+    """Paper, section 5; Ward-Larson's fog cannot tell east from west."""
+    sun = sd.direction(azimuth=270 * deg, elevation=5 * deg)
+    sky = sd.Preetham(sun, 6.0)
+    light = AirLight(sky + sd.SunDisc.of(sky))
+    east, west = (light.at(2e4, view).inscattered for view in (sd.EAST, sd.WEST))
+    assert east[2] / east[0] > 1.3 * west[2] / west[0]
+    fog = WardLarson(light)
+    assert fog.at(2e4, sd.EAST).inscattered == pytest.approx(fog.at(2e4, sd.WEST).inscattered)
+    assert fog.at(1000.0, sd.EAST).transmittance == pytest.approx(light.at(1000.0, sd.EAST).transmittance)
+
+
+def test_table_and_kernel_agree_with_the_plain_form():
+    pytest.importorskip("numba")
+    rng = np.random.default_rng(3)
+    views = sd.unit(rng.normal(size=(12000, 3)) * [1, 1, 0.3])
+    views[0] = SUN
+    distance = 10 ** rng.uniform(1, 5, 12000)
+    light = AirLight(sunny())
+    fast = light.at(distance, views, 500.0)
+    plain = light.at(distance[:400], views[:400], 500.0)  # few: without table and kernel
+    assert fast.inscattered.dtype == np.float32
+    assert fast.transmittance[:400] == pytest.approx(plain.transmittance, abs=2e-6)
+    assert fast.inscattered[:400] == pytest.approx(plain.inscattered, rel=4e-3)
+    table = light.at(distance[:600], views[:600], 500.0)  # more than MANY: with the table
+    assert table.inscattered[:400] == pytest.approx(plain.inscattered, rel=2e-3)
+    assert len(views) >= module.MANY_PIXELS
+
+
+def test_rgb_agrees_with_the_spectrum():
+    """RGB by three means against 35 wavelengths summed: a white wall and its veil at 1-30 km."""
+    from skydome.light.colour import SRGB
+    from skydome.light.daylight import daylight_spectrum
+    from skydome.light.spectrum import xyz_weights
+
+    w = np.arange(380.0, 721.0, 10.0)
+    to_rgb = xyz_weights(w) @ SRGB.from_xyz.T
+    views = np.broadcast_to(sd.direction(azimuth=np.array([20.0, 130, 250]) * deg, elevation=0.01), (3, 3))
+    white = daylight_spectrum([0.9505, 1.0, 1.0891], w) * 5000.0
+    for distance, tolerance in ((1e3, 0.01), (1e4, 0.04), (3e4, 0.12)):
+        spectral = aerial_perspective(sunny(), distance, views, wavelengths=w)
+        rgb = aerial_perspective(sunny(), distance, views)
+        assert rgb.seen(white @ to_rgb) == pytest.approx(spectral.seen(white) @ to_rgb, rel=tolerance)
+
+
+def test_gradients_pass_through_everything():
+    torch = pytest.importorskip("torch")
+
+    def value(distance, height, elevation):
+        sun = torch.as_tensor(SUN)
+        view = sd.direction(azimuth=torch.tensor(1.0, dtype=torch.float64), elevation=elevation)
+        sky = sd.Preetham(sun, 3.0)
+        air = aerial_perspective(sky + sd.SunDisc.of(sky), distance, view, height)
+        return (air.transmittance + air.inscattered / 1000).sum()
+
+    for point in ((8000.0, 100.0, -0.02), (8000.0, 100.0, 0.0), (0.0, 0.0, 0.1)):
+        inputs = [torch.tensor(p, dtype=torch.float64, requires_grad=True) for p in point]
+        value(*inputs).backward()
+        for k, tensor in enumerate(inputs):
+            assert torch.isfinite(tensor.grad)
+            if point[0] > 0 and point[2] != 0:
+                step = 1e-4 * max(abs(point[k]), 1e-3)
+                ends = [
+                    [torch.tensor(p + (d if n == k else 0), dtype=torch.float64) for n, p in enumerate(point)]
+                    for d in (-step, step)
+                ]
+                slope = (value(*ends[1]) - value(*ends[0])) / (2 * step)
+                assert float(tensor.grad) == pytest.approx(float(slope), rel=1e-4)
+
+
+def test_gradient_of_turbidity_and_jax():
+    torch = pytest.importorskip("torch")
+    jax = pytest.importorskip("jax")
+    t = torch.tensor(3.0, dtype=torch.float64, requires_grad=True)
+    sky = sd.Preetham(torch.as_tensor(SUN), 3.0)
+    air = aerial_perspective(sky, 8000.0, torch.as_tensor(sd.EAST), turbidity=t)
+    air.transmittance.sum().backward()
+    assert float(t.grad) < 0
+    sky = sd.Preetham(jax.numpy.asarray(SUN), 3.0)
+    slope = jax.grad(lambda s: aerial_perspective(sky, s, jax.numpy.asarray(sd.EAST)).inscattered.sum())(8000.0)
+    assert float(slope) > 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"distance": -1.0}, "distance must be finite and at least 0"),
+        ({"distance": np.inf}, "distance must be finite"),
+        ({"distance": np.nan}, "distance must be finite"),
+        ({"height": np.inf}, "height must be finite"),
+        ({"direction": [0.0, 0.0, 2.0]}, "direction must be finite unit vectors"),
+        ({"wavelengths": [300.0, 500.0]}, r"wavelengths must lie in \[380, 780\] nm"),
+        ({"turbidity": 0.5}, r"turbidity must be one number in \[1, 64\]"),
+        ({"ground_albedo": 1.5}, r"ground_albedo must lie in \[0, 1\]"),
+    ],
+)
+def test_bad_input(arguments, message):
+    usual = {"distance": 1000.0, "direction": sd.EAST}
+    with pytest.raises(ValueError, match=message):
+        aerial_perspective(sunny(), **(usual | arguments))
+
+
+def test_skies_that_know_too_little():
+    with pytest.raises(ValueError, match="has no turbidity"):
+        aerial_perspective(sd.Daylight(sd.Uniform(1.0)), 1000.0, sd.EAST)
+    with pytest.raises(TypeError, match="knows luminance only"):
+        aerial_perspective(sd.Uniform(1.0), 1000.0, sd.EAST, turbidity=3.0)
+    with pytest.raises(TypeError, match="knows no spectrum"):
+        aerial_perspective(sd.HosekWilkieRGB(SUN, 3.0, 0.2), 1000.0, sd.EAST, wavelengths=[500.0])
+    rgb = aerial_perspective(sd.HosekWilkieRGB(SUN, 3.0, 0.2), 1000.0, sd.EAST)
+    assert np.all(rgb.inscattered > 0)
+
+
+def test_mean_fall_is_exact_in_both_precisions():
+    z = np.concatenate([[0.0], np.geomspace(1e-12, 60, 200), -np.geomspace(1e-12, 60, 200)])
+    exact = np.where(z == 0, 1.0, -np.expm1(-z) / np.where(z == 0, 1, z))
+    assert mean_fall(z) == pytest.approx(exact, rel=1e-12)
+    assert mean_fall(z.astype(np.float32)) == pytest.approx(exact, rel=1e-5)
