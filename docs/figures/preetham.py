@@ -4,6 +4,7 @@ import numpy as np
 from drawing import keep_plot, sky_toward, table, update
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from sun_disc import bird
 
 import skydome as sd
 from skydome.ground.quadrature import hemisphere
@@ -33,12 +34,13 @@ def compared():
 
 
 def absolute():
-    """The levels themselves at T = 3."""
+    """The levels themselves at T = 3, and an independent diffuse illuminance."""
     rows = []
     for elevation in ELEVATIONS:
         ours, theirs = numbers(sd.Preetham, elevation, 3.0), numbers(sd.HosekWilkie, elevation, 3.0)
-        rows.append([f"{elevation}°", *(f"{value:,.0f}" for value in (ours[0], theirs[0], ours[1], theirs[1]))])
-    head = ["sun's elevation", "Lz Preetham", "Lz Hosek-Wilkie", "E Preetham", "E Hosek-Wilkie"]
+        values = (ours[0], theirs[0], ours[1], theirs[1], bird(elevation, 3.0, "dhi"))
+        rows.append([f"{elevation}°", *(f"{value:,.0f}" for value in values)])
+    head = ["sun's elevation", "Lz Preetham", "Lz Hosek-Wilkie", "E Preetham", "E Hosek-Wilkie", "E SPCTRAL2"]
     return table(head, rows)
 
 

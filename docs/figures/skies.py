@@ -18,7 +18,7 @@ from skydome.maps.preview import preview
 
 ELEVATIONS = (70, 40, 20, 8, 2)
 TURBIDITIES = (2.0, 4.0, 6.0)
-SIDE, ZOOM, GAP = 108, 3, 8
+SIDE, ZOOM, GAP = 96, 3, 8
 LEFT, TOP = 64, 62
 
 CLEAR_LETTERS = (-1.0, -0.32, 10.0, -3.0, 0.45)

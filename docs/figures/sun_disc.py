@@ -25,8 +25,8 @@ def lux(wavelengths, irradiance):
     return 683 * float(np.interp(grid, wavelengths, irradiance) @ cie_1931(grid)[:, 1])
 
 
-def bird(elevation, turbidity):
-    """Direct normal illuminance by Bird and Riordan's SPCTRAL2 (pvlib), lx.
+def bird(elevation, turbidity, part="dni"):
+    """Illuminance, direct normal ("dni") or diffuse horizontal ("dhi"), by Bird and Riordan's SPCTRAL2 (pvlib), lx.
 
     Haze of optical depth (T - 1) 0.098 at 550 nm, Angstrom exponent 1.3; 1.4 cm of water, 0.33 cm of ozone.
     """
@@ -40,7 +40,7 @@ def bird(elevation, turbidity):
         aerosol_turbidity_500nm=(turbidity - 1) * 0.098 * 1.1**ANGSTROM_EXPONENT, dayofyear=SPRING,
         alpha=ANGSTROM_EXPONENT,
     )  # fmt: skip
-    return lux(result["wavelength"], result["dni"].ravel())
+    return lux(result["wavelength"], result[part].ravel())
 
 
 def standard_beam():
