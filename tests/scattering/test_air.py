@@ -23,7 +23,7 @@ W = [400.0, 550.0, 700.0]
 
 @pytest.mark.parametrize("law", LAWS, ids=repr)
 def test_phase_laws_integrate_to_one(law):
-    t, w = np.polynomial.legendre.leggauss(4000)
+    t, w = np.polynomial.legendre.leggauss(400)
     angle = np.pi * (t + 1) / 2
     total = (w * np.pi / 2 * 2 * np.pi * np.sin(angle)) @ law.value(np.cos(angle), W)
     np.testing.assert_allclose(total, 1.0, rtol=2e-6)

@@ -9,6 +9,7 @@ from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at,
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
+from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum
 
@@ -134,8 +135,7 @@ class Atmosphere:
 
     def slant_depths(self, cos_zenith: Any, wavelengths: Any) -> np.ndarray:
         """Optical depth of a straight ray from the ground to space, (..., W)."""
-        t, w = np.polynomial.legendre.leggauss(200)
-        t, w = (t + 1) / 2, w / 2
+        t, w = gauss_legendre(200)
         heights, steps = self.height * t**3, self.height * 3 * t * t * w
         cosine = np.asarray(cos_zenith, dtype=np.float64)[..., None]
         sine_square = (1 - cosine**2) * (self.radius / (self.radius + heights)) ** 2

@@ -9,10 +9,11 @@ import numpy as np
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
+from skydome.ground.arrays import Array
 from skydome.light.spectrum import Spectrum
 
 
-def at(value: Any, wavelengths: Any) -> np.ndarray:
+def at(value: Any, wavelengths: Any) -> Array:
     """A number or a `Spectrum` at wavelengths, (W,)."""
     w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
     return value.at(w) if isinstance(value, Spectrum) else np.full(w.shape, float(value))
@@ -40,11 +41,11 @@ class Constituent(ABC):
     profile: Profile
 
     @abstractmethod
-    def depth(self, wavelengths: Any) -> np.ndarray:
+    def depth(self, wavelengths: Any) -> Array:
         """Vertical optical depth of extinction above the ground at wavelengths (W,) nm, shape (W,)."""
 
     @abstractmethod
-    def scattered(self, wavelengths: Any) -> np.ndarray:
+    def scattered(self, wavelengths: Any) -> Array:
         """Single scattering albedo: the share of the extinction that is scattered, shape (W,)."""
 
     @property
@@ -67,13 +68,13 @@ class Molecules(Constituent):
         if self.optical_depth is not None:
             require_positive("optical_depth", self.optical_depth)
 
-    def depth(self, wavelengths: Any) -> np.ndarray:
+    def depth(self, wavelengths: Any) -> Array:
         """By Bodhaine et al. 1999, or as given."""
         if self.optical_depth is not None:
             return at(self.optical_depth, wavelengths)
         return rayleigh_depth(wavelengths, self.pressure)
 
-    def scattered(self, wavelengths: Any) -> np.ndarray:
+    def scattered(self, wavelengths: Any) -> Array:
         """All of it."""
         return at(1.0, wavelengths)
 
@@ -100,7 +101,7 @@ class Aerosol(Constituent):
         require_positive("optical_depth", self.optical_depth)
         require_share("aerosol albedo", self.albedo)
 
-    def depth(self, wavelengths: Any) -> np.ndarray:
+    def depth(self, wavelengths: Any) -> Array:
         """Angstrom's law, or the given spectrum."""
         depth = at(self.optical_depth, wavelengths)
         if isinstance(self.optical_depth, Spectrum):
@@ -108,7 +109,7 @@ class Aerosol(Constituent):
         result: np.ndarray = depth * (np.atleast_1d(np.asarray(wavelengths, dtype=float)) / 550) ** -self.angstrom
         return result
 
-    def scattered(self, wavelengths: Any) -> np.ndarray:
+    def scattered(self, wavelengths: Any) -> Array:
         """The single scattering albedo."""
         return at(self.albedo, wavelengths)
 
@@ -128,11 +129,11 @@ class Ozone(Constituent):
     def __post_init__(self) -> None:
         require_positive("ozone column", self.column)
 
-    def depth(self, wavelengths: Any) -> np.ndarray:
+    def depth(self, wavelengths: Any) -> Array:
         """Cross section times column."""
         return ozone_cross_section(wavelengths) * (DOBSON * self.column)
 
-    def scattered(self, wavelengths: Any) -> np.ndarray:
+    def scattered(self, wavelengths: Any) -> Array:
         """Nothing."""
         return at(0.0, wavelengths)
 

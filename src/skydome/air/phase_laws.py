@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
+from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 
 
@@ -14,10 +15,10 @@ class PhaseLaw(ABC):
     """A phase function, sr-1, whose integral over the sphere is 1, at any wavelength."""
 
     @abstractmethod
-    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
         """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
 
-    def moments(self, count: int, wavelengths: Any) -> np.ndarray:
+    def moments(self, count: int, wavelengths: Any) -> Array:
         """Legendre moments 0 .. count - 1 (the first is 1), shape (count, W), by quadrature in the angle."""
         t, w = gauss_legendre(max(512, 4 * count))
         cosine = np.cos(np.pi * t)
@@ -26,7 +27,7 @@ class PhaseLaw(ABC):
         return moments / moments[0]
 
 
-def legendre(count: int, cosine: np.ndarray) -> np.ndarray:
+def legendre(count: int, cosine: np.ndarray) -> Array:
     """Legendre polynomials P_0 .. P_(count - 1) of the cosine (N,), shape (count, N)."""
     rows = [np.ones_like(cosine), cosine]
     for n in range(1, count - 1):
@@ -44,7 +45,7 @@ class Rayleigh(PhaseLaw):
         if not 0 <= self.depolarisation < 0.5:
             raise ValueError(f"depolarisation must lie in [0, 0.5), got {self.depolarisation}")
 
-    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
         """Chandrasekhar's generalised form, the same for all wavelengths."""
         return spread(rayleigh(np.asarray(cosine), self.depolarisation), wavelengths)
 
@@ -72,18 +73,18 @@ class HenyeyGreenstein(PhaseLaw):
             raise ValueError(f"weights must not be negative, nor all 0, got {self.weights}")
 
     @property
-    def shares(self) -> np.ndarray:
+    def shares(self) -> Array:
         """The weights scaled to a sum of 1."""
         weights = np.asarray(self.weights, dtype=np.float64)
         return weights / weights.sum()
 
-    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
         """The lobes' sum, the same for all wavelengths."""
         cosine = np.asarray(cosine, dtype=np.float64)[..., None]
         lobes = henyey_greenstein(cosine, np.asarray(self.asymmetries)) @ self.shares
         return spread(lobes, wavelengths)
 
-    def moments(self, count: int, wavelengths: Any) -> np.ndarray:
+    def moments(self, count: int, wavelengths: Any) -> Array:
         """The sum of g^n, exact."""
         powers = np.asarray(self.asymmetries) ** np.arange(count)[:, None]
         return spread(powers @ self.shares, wavelengths)
@@ -99,7 +100,7 @@ class CornetteShanks(PhaseLaw):
         if not -1 < self.asymmetry < 1:
             raise ValueError(f"asymmetry must lie in (-1, 1), got {self.asymmetry}")
 
-    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
         """The same for all wavelengths."""
         return spread(cornette_shanks(np.asarray(cosine, dtype=np.float64), self.asymmetry), wavelengths)
 
@@ -108,12 +109,12 @@ class CornetteShanks(PhaseLaw):
 class Haze(PhaseLaw):
     """The Mie table of haze (Bullrich, as Preetham 1999, Table 1 prints it)."""
 
-    def value(self, cosine: Any, wavelengths: Any) -> np.ndarray:
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
         """Interpolated in angle and wavelength."""
         values: np.ndarray = haze(np.asarray(cosine, dtype=np.float64), wavelengths)
         return values
 
 
-def spread(values: np.ndarray, wavelengths: Any) -> np.ndarray:
+def spread(values: np.ndarray, wavelengths: Any) -> Array:
     """Values (...,) repeated for each of the wavelengths, (..., W)."""
     return np.repeat(np.asarray(values)[..., None], np.size(wavelengths), axis=-1)
