@@ -101,20 +101,24 @@ class Patches:
         low, high = self.edges[self.row], self.edges[self.row + 1]
         return np.stack([low, high, self.azimuths - half, self.azimuths + half], axis=-1)
 
-    def samples(self, rings: int = 2, columns: int = 2) -> tuple[np.ndarray, np.ndarray]:
+    def samples(
+        self, rings: int = 2, columns: int = 2, which: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Directions (N, S, 3) inside each patch and their weights (N, S), which add up to 1; S = rings x columns.
 
         Gauss nodes in the sine of the elevation and in azimuth: `(light * weights).sum(-1)` is the mean over the
-        patch. Exact for light that is a polynomial of degree 2 x rings - 1 in the sine of the elevation.
+        patch. Exact for light that is a polynomial of degree 2 x rings - 1 in the sine of the elevation. `which`,
+        indices, asks for some of the patches only.
         """
         t, step = gauss_legendre(rings)
         s, share = gauss_legendre(columns)
-        low, high, first, last = (column[:, None, None] for column in self.bounds.T)
+        bounds = self.bounds if which is None else self.bounds[which]
+        low, high, first, last = (column[:, None, None] for column in bounds.T)
         sine = np.sin(low) + (np.sin(high) - np.sin(low)) * t[:, None]
         turn = first + (last - first) * s
         directions = direction(turn, np.arcsin(np.minimum(sine, 1.0)))
         weights = np.broadcast_to(step[:, None] * share, directions.shape[:-1])
-        return directions.reshape(self.count, -1, 3), weights.reshape(self.count, -1).copy()
+        return directions.reshape(len(bounds), -1, 3), weights.reshape(len(bounds), -1).copy()
 
     def index(self, directions: Array) -> np.ndarray:
         """Index of the patch in which each direction (..., 3) lies, shape (...,); -1 below the horizon.
