@@ -9,9 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.ground.directions import angle_between
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.scene.eye import plainly_seen
+from skydome.scene.bright_source import BrightSource, without_sources
+from skydome.scene.glow import Glow
 from skydome.scene.linked_groups import linked_pixels
 from skydome.scene.point_spread import AGES, stiles_holladay
 from skydome.scene.view import HalfSphere
@@ -143,6 +145,16 @@ def veiling_luminance(luminance: np.ndarray, frame: HalfSphere, age: float = 0.0
     return float(np.sum(luminance * cosine * frame.solid_angles() * share))
 
 
+def veil_of_source(
+    source: BrightSource, frame: HalfSphere, illuminance: float, age: float, nearest: float = 1 * deg
+) -> float:
+    """The same for one source that gives `illuminance`, lx, on a plane that faces it: 0 nearer than `nearest`."""
+    angle = float(angle_between(frame.forward, source.direction))
+    if not nearest <= angle < np.pi / 2:
+        return 0.0
+    return float(illuminance * np.cos(angle) * stiles_holladay(angle, age))
+
+
 def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: float = 0.0, side: int = 800) -> Glare:
     """The glare of a map for one who looks toward an azimuth and elevation, radians.
 
@@ -156,9 +168,12 @@ def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: fl
     """
     if side < 100:
         raise ValueError(f"side of the round picture must be at least 100 pixels, got {side}")
-    frame = HalfSphere(azimuth, elevation, side)
-    luminance = plainly_seen(environment, frame) @ environment.space.to_xyz[1]
-    sources = glare_sources(luminance, frame)
-    illuminance = eye_illuminance(luminance, frame)
+    frame, weights = HalfSphere(azimuth, elevation, side), environment.space.to_xyz[1]
+    calm, suns = without_sources(environment)
+    luminance = frame.seen(calm) @ weights
     veil = veiling_luminance(luminance, frame, age)
+    for sun in suns:
+        luminance += Glow.plain(sun.radius).painted(frame.toward, frame.shape, sun) @ weights
+        veil += veil_of_source(sun, frame, sun.illuminance(environment.space), age)
+    sources, illuminance = glare_sources(luminance, frame), eye_illuminance(luminance, frame)
     return Glare(daylight_glare_probability(illuminance, sources), illuminance, veil, sources)
