@@ -5,18 +5,16 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.integrals import colourless, discs_and_rest, horizontal_xyz
-from skydome.ground.arrays import as_numpy
+from skydome.dome.painting import paint_rows
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
+from skydome.skies.fast_light import checked_out
 from skydome.skies.hosek_wilkie import channel_albedo
 from skydome.skies.sky import ColourSky, Sky
 from skydome.skies.sun_disc import SunDisc
-
-CHUNK = 1 << 17
-"""Texels evaluated at a time: about 25 MB of scratch memory."""
 
 POINTS_PER_TEXEL = 4096
 LEAST_POINTS, MOST_POINTS = 4096, 1 << 18
@@ -31,6 +29,7 @@ def render(
     ground_albedo: Any = None,
     dtype: Any = np.float32,
     metadata: dict[str, Any] | None = None,
+    out: np.ndarray | None = None,
 ) -> EnvironmentMap:
     """The sky as an `EnvironmentMap`: linear RGB in which (1, 1, 1) means 1 cd m-2.
 
@@ -38,7 +37,9 @@ def render(
     the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`
     or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the
     texels that it covers, its energy kept. TypeError for a sky without colour; ValueError for a height that
-    the projection cannot take, or for a sky of more than one condition. Memory: the map and about 25 MB.
+    the projection cannot take, or for a sky of more than one condition. `out` (rows, columns, 3) is overwritten and
+    becomes the map's pixels: no new memory for the next frame. float32 maps of 2 million sky values or more take
+    compiled kernels where Numba is installed. Memory: the map and about 25 MB.
 
     >>> import skydome as sd
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)
@@ -51,12 +52,11 @@ def render(
     require_one_condition(sky)
     discs, rest = discs_and_rest(sky)
     rows, columns = projection.shape(height)
-    pixels = np.zeros((rows, columns, 3), dtype=dtype)
+    pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
+    if not isinstance(projection, Equirectangular):
+        pixels[...] = 0.0  # texels that the layout does not use stay black
     ground = ground_rgb(sky, ground_albedo, space)
-    step = max(1, CHUNK // columns)
-    for start in range(0, rows, step):
-        block = slice(start, min(rows, start + step))
-        fill(pixels[block], rest, ground, projection.directions(height, block), projection.valid(height, block), space)
+    paint_rows(pixels, rest, ground, projection, height, space, slice(0, rows))
     for disc, factor in discs:
         add_disc(pixels, disc, float(factor), projection, height, space)
     provenance = {"model": sky.parameters()} | (metadata or {})
@@ -68,33 +68,6 @@ def require_one_condition(sky: Sky) -> None:
     shape = tuple(sky.luminance(ZENITH).shape)
     if shape:
         raise ValueError(f"a map shows one sky at a time: parameters must be single numbers, got shape {shape}")
-
-
-def fill(
-    pixels: np.ndarray,
-    skies: list[Sky],
-    ground: np.ndarray,
-    directions: np.ndarray,
-    valid: np.ndarray,
-    space: RGBSpace,
-) -> None:
-    """Write the light of `skies` into a block of pixels (r, W, 3): sky above the horizon, `ground` (3,) below it."""
-    below = directions[..., 2] < 0
-    pixels[below & valid] = ground
-    above = ~below & valid
-    if not above.any():
-        return
-    seen = directions if above.all() else directions[above]
-    light: Any = 0.0
-    for sky in skies:
-        if not isinstance(sky, ColourSky):
-            raise TypeError(colourless(sky))
-        light = light + sky.rgb(seen, space)
-    light = as_numpy(light) if skies else np.zeros(seen.shape)
-    if above.all():
-        pixels[...] = light
-    else:
-        pixels[above] = light
 
 
 def own_albedo(sky: Sky) -> Any:

@@ -1,0 +1,122 @@
+"""The light of skies written into the pixels of a map, whole or some rows at a time."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from skydome.dome.integrals import colourless
+from skydome.dome.sky_rows import paint
+from skydome.ground.arrays import as_numpy
+from skydome.light.colour import RGBSpace, rgb_from_xyz, xyz_from_xyY
+from skydome.maps.projections import Equirectangular, Projection
+from skydome.skies.combination import Combination
+from skydome.skies.daylight_sky import Daylight
+from skydome.skies.fast_light import Light, chosen, many_skies
+from skydome.skies.formula_sky import ColourFormulaSky, FormulaSky
+from skydome.skies.sky import ColourSky, Sky
+
+CHUNK = 1 << 17
+"""Texels evaluated at a time in float64: about 25 MB of scratch memory."""
+
+
+def rgb_light(sky: Sky, space: RGBSpace) -> Light | None:
+    """The numbers of one nine-number sky's RGB, also of one multiplied or given a colour; None for other skies."""
+    factor: Any = 1.0
+    while isinstance(sky, Combination) and len(sky.members) == 1:
+        factor, sky = factor * sky.weights[0], sky.members[0]
+    if isinstance(sky, ColourFormulaSky):
+        light = sky.numbers(sky.rgb_recipe(space))
+    elif isinstance(sky, Daylight) and isinstance(sky.sky, FormulaSky):
+        coefficients, quantity = sky.sky.luminance_recipe()
+        white = rgb_from_xyz(xyz_from_xyY([*sky.chromaticity, 1.0]), space)
+        light = sky.sky.numbers((coefficients, quantity.then(white[:, None])))
+    else:
+        return None
+    return light._replace(quantity=light.quantity.then(float(factor) * np.eye(light.size)))
+
+
+def paint_rows(
+    pixels: np.ndarray,
+    skies: Sequence[Sky],
+    ground: np.ndarray,
+    projection: Projection,
+    height: int,
+    space: RGBSpace,
+    rows: slice,
+) -> None:
+    """Write the given rows of a map into `pixels` (r, W, 3): the sum of `skies` above the horizon, `ground` (3,) below.
+
+    float32 pixels take the compiled kernels where the whole map is a large job.
+    """
+    lights = [rgb_light(sky, space) for sky in skies]
+    texels = int(np.prod(projection.shape(height)))
+    single = pixels.dtype == np.float32 and pixels.flags.c_contiguous
+    kernels = [chosen(3 * texels // 2, light.coefficients) if single and light else None for light in lights]
+    sources = list(zip(skies, lights, kernels, strict=True))
+    if isinstance(projection, Equirectangular) and lights and all(lights):
+        paint_level_rows(pixels, sources, ground, projection, height, range(*rows.indices(height)))
+        return
+    step = max(1, CHUNK // pixels.shape[1])
+    for start in range(rows.start, rows.stop, step):
+        block = slice(start, min(rows.stop, start + step))
+        here = pixels[start - rows.start : block.stop - rows.start]
+        directions, valid = projection.directions(height, block), projection.valid(height, block)
+        paint_texels(here, sources, ground, directions, valid, space)
+
+
+def paint_level_rows(
+    pixels: np.ndarray,
+    sources: list[tuple[Sky, Any, Any]],
+    ground: np.ndarray,
+    projection: Equirectangular,
+    height: int,
+    rows: range,
+) -> None:
+    """An equirectangular map's rows: whole rows of sky, then whole rows of ground."""
+    horizon = max(rows.start, min(rows.stop, height // 2))
+    seen = pixels[: horizon - rows.start]
+    row_of_ground = np.broadcast_to(ground, pixels.shape[1:]).astype(pixels.dtype)
+    pixels[horizon - rows.start :] = row_of_ground
+    for index, (_, light, kernel) in enumerate(sources):
+        whole = kernel is not None and index == 0
+        step = max(1, len(seen) if whole else CHUNK // pixels.shape[1])
+        for start in range(0, len(seen), step):
+            block = seen[start : start + step]
+            here = range(rows.start + start, rows.start + start + len(block))
+            target = block if index == 0 else np.empty_like(block)
+            paint(kernel, light, projection, height, here, target)
+            if index:
+                block += target
+
+
+def paint_texels(
+    pixels: np.ndarray,
+    sources: list[tuple[Sky, Any, Any]],
+    ground: np.ndarray,
+    directions: np.ndarray,
+    valid: np.ndarray,
+    space: RGBSpace,
+) -> None:
+    """Any projection's texels: their directions (r, W, 3), whether they are `valid` (r, W); others are left alone."""
+    below = directions[..., 2] < 0
+    pixels[below & valid] = ground
+    above = ~below & valid
+    if not above.any():
+        return
+    seen = directions if above.all() else directions[above]
+    light: Any = np.zeros((1, 1), pixels.dtype)
+    for sky, numbers, kernel in sources:
+        light = light + rgb_of(sky, numbers, kernel, seen, space)
+    pixels[above] = np.broadcast_to(light, seen.shape).reshape(-1, 3)
+
+
+def rgb_of(sky: Sky, numbers: Light | None, kernel: Any, directions: np.ndarray, space: RGBSpace) -> np.ndarray:
+    """RGB toward directions (..., 3), by the compiled formula where there is a kernel."""
+    if kernel is not None and numbers is not None:
+        light = np.empty(directions.shape, np.float32)
+        many_skies(kernel, numbers, directions.reshape(-1, 3), light)
+        return light
+    if not isinstance(sky, ColourSky):
+        raise TypeError(colourless(sky))
+    return as_numpy(sky.rgb(directions, space))
