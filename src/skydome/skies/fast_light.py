@@ -70,8 +70,9 @@ def prepared(light: Light) -> tuple[np.ndarray, tuple[np.ndarray, bool, np.ndarr
         level, matrix = level * gains, None
     gap = np.maximum((1 - c[..., H]) ** 2, 1e-12)
     turn = np.log2(np.e)
-    columns = [level, c[..., A], c[..., B] * turn, c[..., C], c[..., D], c[..., E] * turn, c[..., F], c[..., G]]
-    letters = np.stack([*columns, gap, 2 * c[..., H], c[..., I]], axis=-1).astype(np.float32)
+    gradation = [level * (1 + c[..., A]), level * c[..., A], c[..., B] * turn]
+    indicatrix = [c[..., C] + c[..., D], c[..., D], c[..., E] * turn, c[..., F], c[..., G], gap, 2 * c[..., H]]
+    letters = np.stack([*gradation, *indicatrix, c[..., I]], axis=-1).astype(np.float32)
     none = np.zeros((0, 0), np.float32)
     matrix = none if matrix is None else np.ascontiguousarray(matrix, dtype=np.float32)
     balance = light.quantity.balance

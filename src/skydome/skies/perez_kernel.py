@@ -5,8 +5,9 @@ blocks of 2048 values in unit-stride scratch memory that the caller lends, relea
 range of rows or tiles, so that plain threads share the work. Rows of scratch are indexed whole and never sliced, and
 indexes that are not a plain loop's are unsigned: the compiler then sees straight loops, and is done in about 2 s.
 Geometry: u = 1 - cos g and w = 1 + cos g, each a sum of positive terms, so that the angle keeps its digits near the sun
-and opposite to it. Letters of a sky's channel, prepared in float64 by `fast_light.prepared`: R A B' C D E' F G
-(1 - H)^2 2H I, where a dash means "times log2 e".
+and opposite to it. C + D exp(E g) goes as (C + D) + D (exp(E g) - 1): for hazy low suns C = -D = -20 within 1 %, E is
+small, and the plain sum loses two digits. Letters of a sky's channel, prepared in float64 by `fast_light.prepared`:
+R (1 + A), R A, B', C + D, D, E', F, G, (1 - H)^2, 2 H, I, where a dash means "times log2 e".
 """
 
 from typing import Any
@@ -20,7 +21,7 @@ ZERO, ONE, PI = real(0.0), real(1.0), real(np.pi)
 ROUNDING = real(1.5 * 2**23)
 """Added and taken away again it rounds to a whole number, which stands in the low bits of the sum."""
 LEAST_POWER, SMALLEST = real(1.5 * 2**23 - 126), real(-126.0)
-MANTISSA_BITS = np.int32(23)
+MANTISSA_BITS, BITS_OF_ONE = np.int32(23), np.int32(127 << 23)
 LENGTH_TOLERANCE = real(2e-3)
 SKIES_IN_TILE = 32
 # Polynomials through Chebyshev nodes. 2^r for |r| <= 1/2: error 2e-9. g / sqrt(u) for u in [0, 1]: error 2e-8.
@@ -42,14 +43,14 @@ def compiled(function: Any) -> Any:
 
 
 @compiled
-def power_of_two(x):  # type: ignore[no-untyped-def]
-    """2^x for x <= 127; about 1e-38 for all x below -126 (down to -1000)."""
+def power_minus_one(x):  # type: ignore[no-untyped-def]
+    """2^x - 1 for -1000 < x < 127, with all its digits near x = 0."""
     shifted = x + ROUNDING
     shifted = shifted if shifted > LEAST_POWER else LEAST_POWER
     r = x - (shifted - ROUNDING)
-    power = (((((P6 * r + P5) * r + P4) * r + P3) * r + P2) * r + P1) * r + ONE
-    exponent = np.int32(real(shifted).view(np.int32) << MANTISSA_BITS)
-    return np.int32(real(power).view(np.int32) + exponent).view(np.float32)
+    series = r * (((((P6 * r + P5) * r + P4) * r + P3) * r + P2) * r + P1)
+    whole = np.int32(np.int32(real(shifted).view(np.int32) << MANTISSA_BITS) + BITS_OF_ONE).view(np.float32)
+    return whole * series + (whole - ONE)
 
 
 @compiled
@@ -63,26 +64,26 @@ def angle(u, w):  # type: ignore[no-untyped-def]
 
 @compiled
 def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, values):  # type: ignore[no-untyped-def]
-    """Write constant + D exp(E g) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
+    """Write constant + D (exp(E g) - 1) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
     if peak == ZERO:
         for i in range(count):
             cosine = ONE - u[i]
-            values[i] = constant + d * power_of_two(e * g[i]) + f * (cosine * cosine)
+            values[i] = constant + d * power_minus_one(e * g[i]) + f * (cosine * cosine)
     else:
         for i in range(count):
             cosine = ONE - u[i]
             square = cosine * cosine
             root = ONE / np.sqrt(gap + twice * u[i])
             chi = (peak + peak * square) * (root * root * root)
-            values[i] = constant + d * power_of_two(e * g[i]) + f * square + chi
+            values[i] = constant + d * power_minus_one(e * g[i]) + f * square + chi
 
 
 @compiled
 def graded(count, over, root, level, lift, slope, part, values):  # type: ignore[no-untyped-def]
-    """Multiply (values + I sqrt(cos t)) by R + R A exp(B / cos t); 0 where negative or below the horizon (over < 0)."""
+    """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - 1); 0 where negative, or below: over < 0."""
     for i in range(count):
         power = slope * over[i]
-        shape = level + lift * power_of_two(power if power > SMALLEST else SMALLEST)
+        shape = level + lift * power_minus_one(power if power > SMALLEST else SMALLEST)
         bright = (values[i] + part * root[i]) * shape
         values[i] = bright if (bright > ZERO) & (over[i] > ZERO) else ZERO
 
@@ -165,8 +166,8 @@ def finished(count, matrix, chromatic, balance, values, results):  # type: ignor
 def whole_map(first, last, rows, constants, letters, columns, segments, matrix, chromatic, balance, work, width, out):  # type: ignore[no-untyped-def]
     """Rows first...last of a map into `out`, flat (rows x width x K).
 
-    `rows` (r, 3): 1 - cos(t - ts), 1 + cos(t + ts), sin t sin ts; `constants` (r, C, 2): R times the gradation, and C +
-    I sqrt(cos t); `columns` (2, n): 1 - cos and 1 + cos of the azimuth from the sun; `segments` (s, 4): first profile
+    `rows` (r, 3): 1 - cos(t - ts), 1 + cos(t + ts), sin t sin ts; `constants` (r, C, 2): R times the gradation, and
+    C + D + I sqrt(cos t); `columns` (2, n): 1 - cos and 1 + cos of the azimuth from the sun; `segments` (s, 4): first profile
     value, count, the column where it goes, and the column where its mirror image starts (-1: none).
     `work` (2 + C + K, 2048): scratch.
     """
@@ -243,6 +244,6 @@ def many_skies(first, last, letters, suns, states, directions, edges, matrix, ch
             for c in range(channels):
                 k, light = letters[sky, c], values[c]
                 indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], light)
-                graded(count, over, root, k[0], k[0] * k[1], k[2], k[10], light)
+                graded(count, over, root, k[0], k[1], k[2], k[10], light)
             stored(count, quantity, finished(count, matrix, chromatic, balance, values, results), here, False)
     return wrong
