@@ -99,6 +99,20 @@ def test_sun_is_found_in_maps_of_every_size(sky, height):
     np.testing.assert_allclose(lack, sources[0].light, rtol=1e-4)
 
 
+@pytest.mark.parametrize("elevation", [0.1, 1.0, 2.5, 6.0])
+def test_setting_suns_are_found_whole(elevation):
+    # redder than sRGB: the blue of the light is negative
+    sky = sd.HosekWilkie(sd.direction(290 * deg, elevation * deg), 4.0)
+    environment = sd.render(sky + sd.SunDisc.of(sky), height=512)
+    calm, sources = without_sources(environment)
+    assert len(sources) == 1
+    angles = np.broadcast_to(environment.projection.solid_angles(512), calm.pixels.shape[:2])
+    gone = np.sum(angles * (environment.luminance() - calm.luminance()))
+    assert sources[0].illuminance(environment.space) == pytest.approx(gone, rel=1e-3)
+    seen = Eye(60).look(environment, View(290 * deg, 5 * deg, 20 * deg, 128))
+    assert seen.plain.max() > 100 * np.median(seen.plain)
+
+
 def test_a_map_without_sun_is_left_alone(sky):
     environment = sd.render(sky, height=128)
     calm, sources = without_sources(environment)

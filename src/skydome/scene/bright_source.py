@@ -21,7 +21,8 @@ RING = 48
 class BrightSource:
     """A round source toward the unit vector `direction` (3,), of angular `radius`, radians.
 
-    `light` (3,): linear RGB of the light on a plane that faces it; (1, 1, 1) means 1 lx.
+    `light` (3,): linear RGB of the light on a plane that faces it; (1, 1, 1) means 1 lx. The blue of a setting sun,
+    which is redder than any sRGB colour, is negative.
     """
 
     direction: np.ndarray
@@ -56,9 +57,7 @@ def without_sources(
     sources = []
     for group in np.argsort(-strength, kind="stable")[:MOST]:
         member = groups == group
-        found = taken_out(environment, pixels, row[member], column[member])
-        if (found.light > 0).all():
-            sources.append(found)
+        sources.append(taken_out(environment, pixels, row[member], column[member]))
     return replace(environment, pixels=pixels), sources
 
 
@@ -78,7 +77,8 @@ def taken_out(environment: EnvironmentMap, pixels: np.ndarray, row: np.ndarray, 
     rough = pixels[row, column].sum(axis=-1) * angles
     middle = unit(rough @ toward)
     width = texel(environment)
-    fill = ring_mean(environment, middle, float(angle_between(toward, middle).max()) + width)
+    reach = float(angle_between(toward, middle).max()) + width
+    fill = np.minimum(ring_median(environment, middle, reach), pixels[row, column].max(axis=0))
     flux = (pixels[row, column] - fill) * angles[:, None]
     pixels[row, column] = fill
     weight = np.maximum(flux.sum(axis=-1), 0.0)
@@ -100,7 +100,7 @@ def with_neighbours(environment: EnvironmentMap, row: np.ndarray, column: np.nda
     return texels // width, texels % width
 
 
-def ring_mean(environment: EnvironmentMap, middle: np.ndarray, angle: float) -> np.ndarray:
+def ring_median(environment: EnvironmentMap, middle: np.ndarray, angle: float) -> np.ndarray:
     """Median RGB (3,) of the map at an angle from `middle`, in the map's own unit."""
     u, v = tangent_frame(middle)
     turn = (np.arange(RING) + 0.5) * 2 * np.pi / RING
