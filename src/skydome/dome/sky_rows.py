@@ -13,7 +13,7 @@ import numpy as np
 
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.maps.equirectangular import Equirectangular
-from skydome.skies.fast_light import Light, prepared, shared
+from skydome.skies.fast_light import Light, prepared, shared, smaller_with
 from skydome.skies.perez_formula import C, D, I, R, evaluate, gradation
 
 BLOCK = 2048
@@ -112,7 +112,7 @@ def paint_by_kernel(
     gains = light.quantity.gains
     level = own[:, R] if gains is None else own[:, R] * gains
     factor = level * gradation(own, cosine[:, None], light.offset, light.floor)
-    smooth = own[:, C] + own[:, D] + own[:, I] * np.sqrt(cosine)[:, None]
+    smooth = own[:, C] + smaller_with(own[:, C], own[:, D]) * own[:, D] + own[:, I] * np.sqrt(cosine)[:, None]
     constants = np.stack([factor, smooth], axis=-1).astype(np.float32)
     numbers, turn = rows.astype(np.float32), columns.turn.astype(np.float32)
     flat, width = out.reshape(-1), out.shape[1]

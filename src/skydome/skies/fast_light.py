@@ -61,8 +61,14 @@ def chosen(values: int, coefficients: np.ndarray) -> Any:
     return kernels()
 
 
+def smaller_with(constant: np.ndarray, factor: np.ndarray) -> np.ndarray:
+    """1 where constant + factor is smaller than the constant, else 0: which form of the sum keeps more digits."""
+    smaller: np.ndarray = (np.abs(constant + factor) < np.abs(constant)).astype(np.float64)
+    return smaller
+
+
 def prepared(light: Light) -> tuple[np.ndarray, tuple[np.ndarray, bool, np.ndarray]]:
-    """Letters (T, C, 11) in float32 as the kernels read them, and what is left to do: matrix, chromatic, balance."""
+    """Letters (T, C, 13) in float32 as the kernels read them, and what is left to do: matrix, chromatic, balance."""
     c = light.coefficients
     level, matrix = c[..., R], light.quantity.matrix
     gains = light.quantity.gains
@@ -70,9 +76,10 @@ def prepared(light: Light) -> tuple[np.ndarray, tuple[np.ndarray, bool, np.ndarr
         level, matrix = level * gains, None
     gap = np.maximum((1 - c[..., H]) ** 2, 1e-12)
     turn = np.log2(np.e)
-    gradation = [level * (1 + c[..., A]), level * c[..., A], c[..., B] * turn]
-    indicatrix = [c[..., C] + c[..., D], c[..., D], c[..., E] * turn, c[..., F], c[..., G], gap, 2 * c[..., H]]
-    letters = np.stack([*gradation, *indicatrix, c[..., I]], axis=-1).astype(np.float32)
+    m, n = smaller_with(c[..., C], c[..., D]), smaller_with(np.ones_like(level), c[..., A])
+    gradation = [level * (1 + n * c[..., A]), level * c[..., A], c[..., B] * turn]
+    indicatrix = [c[..., C] + m * c[..., D], c[..., D], c[..., E] * turn, c[..., F], c[..., G], gap, 2 * c[..., H]]
+    letters = np.stack([*gradation, *indicatrix, c[..., I], m, n], axis=-1).astype(np.float32)
     none = np.zeros((0, 0), np.float32)
     matrix = none if matrix is None else np.ascontiguousarray(matrix, dtype=np.float32)
     balance = light.quantity.balance

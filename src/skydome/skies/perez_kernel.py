@@ -5,9 +5,10 @@ blocks of 2048 values in unit-stride scratch memory that the caller lends, relea
 range of rows or tiles, so that plain threads share the work. Rows of scratch are indexed whole and never sliced, and
 indexes that are not a plain loop's are unsigned: the compiler then sees straight loops, and is done in about 2 s.
 Geometry: u = 1 - cos g and w = 1 + cos g, each a sum of positive terms, so that the angle keeps its digits near the sun
-and opposite to it. C + D exp(E g) goes as (C + D) + D (exp(E g) - 1): for hazy low suns C = -D = -20 within 1 %, E is
-small, and the plain sum loses two digits. Letters of a sky's channel, prepared in float64 by `fast_light.prepared`:
-R (1 + A), R A, B', C + D, D, E', F, G, (1 - H)^2, 2 H, I, where a dash means "times log2 e".
+and opposite to it. Where C + D is smaller than C, C + D exp(E g) goes as (C + D) + D (exp(E g) - 1): for hazy low suns
+C = -D = -20 within 1 %, E is small, and the plain sum loses two digits. Letters of a sky's channel, prepared in float64
+by `fast_light.prepared`: R (1 + n A), R A, B', C + m D, D, E', F, G, (1 - H)^2, 2 H, I, m, n; a dash means "times log2
+e", m and n are 0 or 1.
 """
 
 from typing import Any
@@ -43,14 +44,14 @@ def compiled(function: Any) -> Any:
 
 
 @compiled
-def power_minus_one(x):  # type: ignore[no-untyped-def]
-    """2^x - 1 for -1000 < x < 127, with all its digits near x = 0."""
+def power_less(x, base):  # type: ignore[no-untyped-def]
+    """2^x - base for -1000 < x < 127, base 0 or 1; with base 1 it keeps its digits near x = 0."""
     shifted = x + ROUNDING
     shifted = shifted if shifted > LEAST_POWER else LEAST_POWER
     r = x - (shifted - ROUNDING)
     series = r * (((((P6 * r + P5) * r + P4) * r + P3) * r + P2) * r + P1)
     whole = np.int32(np.int32(real(shifted).view(np.int32) << MANTISSA_BITS) + BITS_OF_ONE).view(np.float32)
-    return whole * series + (whole - ONE)
+    return whole * series + (whole - base)
 
 
 @compiled
@@ -63,27 +64,27 @@ def angle(u, w):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, values):  # type: ignore[no-untyped-def]
-    """Write constant + D (exp(E g) - 1) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
+def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, base, values):  # type: ignore[no-untyped-def]
+    """Write constant + D (exp(E g) - base) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
     if peak == ZERO:
         for i in range(count):
             cosine = ONE - u[i]
-            values[i] = constant + d * power_minus_one(e * g[i]) + f * (cosine * cosine)
+            values[i] = constant + d * power_less(e * g[i], base) + f * (cosine * cosine)
     else:
         for i in range(count):
             cosine = ONE - u[i]
             square = cosine * cosine
             root = ONE / np.sqrt(gap + twice * u[i])
             chi = (peak + peak * square) * (root * root * root)
-            values[i] = constant + d * power_minus_one(e * g[i]) + f * square + chi
+            values[i] = constant + d * power_less(e * g[i], base) + f * square + chi
 
 
 @compiled
-def graded(count, over, root, level, lift, slope, part, values):  # type: ignore[no-untyped-def]
-    """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - 1); 0 where negative, or below: over < 0."""
+def graded(count, over, root, level, lift, slope, base, part, values):  # type: ignore[no-untyped-def]
+    """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - base); 0 where negative or below."""
     for i in range(count):
         power = slope * over[i]
-        shape = level + lift * power_minus_one(power if power > SMALLEST else SMALLEST)
+        shape = level + lift * power_less(power if power > SMALLEST else SMALLEST, base)
         bright = (values[i] + part * root[i]) * shape
         values[i] = bright if (bright > ZERO) & (over[i] > ZERO) else ZERO
 
@@ -167,8 +168,8 @@ def whole_map(first, last, rows, constants, letters, columns, segments, matrix, 
     """Rows first...last of a map into `out`, flat (rows x width x K).
 
     `rows` (r, 3): 1 - cos(t - ts), 1 + cos(t + ts), sin t sin ts; `constants` (r, C, 2): R times the gradation, and
-    C + D + I sqrt(cos t); `columns` (2, n): 1 - cos and 1 + cos of the azimuth from the sun; `segments` (s, 4): first profile
-    value, count, the column where it goes, and the column where its mirror image starts (-1: none).
+    C + m D + I sqrt(cos t); `columns` (2, n): 1 - cos and 1 + cos of the azimuth from the sun; `segments` (s, 4):
+    first profile value, count, the column where it goes, the column where its mirror image starts (-1: none).
     `work` (2 + C + K, 2048): scratch.
     """
     channels, quantity = letters.shape[0], matrix.shape[0] if matrix.size else letters.shape[0]
@@ -184,7 +185,7 @@ def whole_map(first, last, rows, constants, letters, columns, segments, matrix, 
             for c in range(channels):
                 level, k, light = constants[row, c, 0], letters[c], values[c]
                 smooth, d, f, peak = constants[row, c, 1] * level, k[4] * level, k[6] * level, k[7] * level
-                indicatrix(count, u, g, smooth, d, k[5], f, peak, k[8], k[9], light)
+                indicatrix(count, u, g, smooth, d, k[5], f, peak, k[8], k[9], k[11], light)
                 for i in range(count):
                     light[i] = light[i] if light[i] > ZERO else ZERO
             shown = finished(count, matrix, chromatic, balance, values, results)
@@ -199,7 +200,7 @@ def whole_map(first, last, rows, constants, letters, columns, segments, matrix, 
 def many_skies(first, last, letters, suns, states, directions, edges, matrix, chromatic, balance, work, out):  # type: ignore[no-untyped-def]
     """Tiles first...last of skies x directions into `out`, flat (T x D x K); how many directions are no unit vectors.
 
-    `letters` (T, C, 11), `suns` (T, 3), `states` (T,): 1 day, 0 night (light 0), -1 not valid (NaN); `directions` flat
+    `letters` (T, C, 13), `suns` (T, 3), `states` (T,): 1 day, 0 night (light 0), -1 not valid (NaN); `directions` flat
     (D x 3); `edges`: the gradation's offset and floor. A tile is 2048 directions under 32 skies; directions are checked
     under the first. `work` (8 + C + K, 2048): scratch.
     """
@@ -243,7 +244,7 @@ def many_skies(first, last, letters, suns, states, directions, edges, matrix, ch
                 g[i] = angle(one, real(0.5) * (bx * bx + by * by + bz * bz))
             for c in range(channels):
                 k, light = letters[sky, c], values[c]
-                indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], light)
-                graded(count, over, root, k[0], k[1], k[2], k[10], light)
+                indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[11], light)
+                graded(count, over, root, k[0], k[1], k[2], k[12], k[10], light)
             stored(count, quantity, finished(count, matrix, chromatic, balance, values, results), here, False)
     return wrong
