@@ -8,6 +8,7 @@ from typer.core import TyperGroup
 
 from skydome import __version__
 from skydome.cli.convert import convert
+from skydome.cli.evaluate import evaluate
 from skydome.cli.glare import glare
 from skydome.cli.illuminance import illuminance
 from skydome.cli.list_models import models
@@ -46,7 +47,7 @@ def complain(message: str) -> int:
 app = typer.Typer(
     cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
-for command in (render, light, sun, plot, models, convert, shader, glare, illuminance):
+for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate):
     app.command()(command)
 
 

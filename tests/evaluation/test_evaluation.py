@@ -1,0 +1,167 @@
+"""The evaluation: reads both layouts, reproduces known measures, refuses what is broken."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome.ground.quadrature import hemisphere
+from skydome.ground.units import deg
+from skydome.study.evaluated_models import EvaluatedModel, fitted, model_of
+from skydome.study.evaluated_runs import evaluated
+from skydome.study.evaluation import band_mean, compared, relative_rms
+from skydome.study.measured_sky import MeasuredSky, turned_to_sun
+
+HERE = Path(os.environ.get("SKYDOME_DATA", Path(__file__).parents[3] / "shared" / "data"))
+FILE = HERE / "kider2014_open.nc"
+needs_data = pytest.mark.skipif(not FILE.exists(), reason="the measured sky (kider2014_open.nc) is not at hand")
+pytest.importorskip("scipy")
+
+
+@pytest.fixture(scope="module")
+def sky():
+    return MeasuredSky.open(FILE)
+
+
+def ring_views():
+    """The 81 directions of a scan, their azimuths as named: counter-clockwise, by rings from the horizon up."""
+    counts, elevations = (32, 24, 16, 8, 1), (12.1151, 33.749, 53.3665, 71.9187, 90.0)
+    return [(360.0 * k / n, e) for n, e in zip(counts, elevations, strict=True) for k in range(n)]
+
+
+def write_scan(folder, name, light, samples=81, wavelengths=(400, 550, 700)):
+    place = folder / name[:10] / "RADIANCE" / f"{name[:10]}___{name[11:].replace(':', '.')}"
+    place.mkdir(parents=True)
+    for k, (azimuth, elevation) in enumerate(ring_views()[:samples]):
+        toward = sd.direction(-azimuth * deg, elevation * deg)  # the names' azimuths run counter-clockwise
+        stem = f"{name[:10]}___{name[11:].replace(':', '.')}_-_{k}____{azimuth}___{elevation}.asd.rad.txt"
+        rows = "\n".join(f"{w}\t{light(toward):.8g}" for w in wavelengths)
+        (place / stem).write_text(f"Wavelength\tRadiance\n{rows}\n")
+    return place
+
+
+@needs_data
+@pytest.mark.parametrize(
+    ("name", "expected", "tolerance"),
+    [("preetham", 1.27, 0.01), ("hosek-wilkie", 0.56, 0.02), ("plain-air", 0.143, 0.004)],
+)
+def test_known_measures_at_the_usual_numbers(sky, name, expected, tolerance):
+    if name == "plain-air":
+        pytest.importorskip("nanodisort")
+    model = model_of(name)
+    light = np.stack([band_mean(model.sky_of()(s), v) for s, v in zip(sky.suns, sky.directions, strict=True)])
+    assert relative_rms(light, sky.band(), sky.valid).mean() == pytest.approx(expected, abs=tolerance)
+
+
+@needs_data
+def test_figures_of_the_measured_sky_against_itself(sky):
+    one = sky.some([0])
+    assert len(one) == 1
+    model = compared("hosek-wilkie", one, model_of("hosek-wilkie").sky_of())
+    figures = model.figures()
+    assert 0.4 < figures["error"] < 0.7
+    assert figures["chromaticity_error"] < 0.03
+    assert model.far.sum() < one.valid.sum()
+
+
+@needs_data
+def test_the_symmetry_of_a_scan_gives_back_the_known_azimuth_correction(sky):
+    from scipy.io import netcdf_file
+
+    with netcdf_file(FILE, "r", mmap=False) as stored:
+        nominal = np.array(stored.variables["direction_azimuth_nominal"][:], dtype=float)
+        zenith = np.array(stored.variables["direction_zenith"][:], dtype=float)
+        correction = np.array(stored.variables["azimuth_correction"][:], dtype=float)
+    for k in (0, 5, 11):
+        views = sd.direction(np.broadcast_to(nominal, sky.band().shape)[k] * deg, (90 - zenith) * deg)
+        found = turned_to_sun(views, sky.band()[k], sky.suns[k])
+        turn = np.degrees(sd.ground.directions.azimuth(found) - sd.ground.directions.azimuth(views))[0] % 360
+        assert turn == pytest.approx(correction[k], abs=4)
+
+
+def test_published_folder_is_read_clockwise_and_turned_to_the_sun(tmp_path):
+    from skydome.study.measured_sky import CORNELL
+
+    sun = sd.sun_direction(CORNELL, "2013-05-27T09:32:51-04:00")
+    sky = sd.HosekWilkie(sun, 3.0)
+    write_scan(tmp_path, "2013-05-27T09:30:00", lambda v: float(sky.luminance(v)))
+    read = MeasuredSky.open(tmp_path)
+    assert read.radiance.shape == (1, 81, 3)
+    assert not read.valid[0, 0]
+    np.testing.assert_allclose(read.radiance[0, 1:, 0], sky.luminance(read.directions[0, 1:]), rtol=0.03)
+
+
+def test_truncated_and_mixed_folders_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="no measurements"):
+        MeasuredSky.open(tmp_path)
+    place = write_scan(tmp_path / "a", "2013-05-27T09:30:00", lambda v: 1.0, samples=60)
+    with pytest.raises(ValueError, match="lacks 21 of 81 samples, the first is number 60"):
+        MeasuredSky.open(tmp_path / "a")
+    place = write_scan(tmp_path / "b", "2013-05-27T09:30:00", lambda v: 1.0 + v[2])
+    victim = sorted(place.iterdir())[5]
+    victim.write_text("Wavelength\tRadiance\n400\t1.0\n")
+    with pytest.raises(ValueError, match="do not have the same wavelengths"):
+        MeasuredSky.open(tmp_path / "b")
+    victim.write_text("Wavelength\tRadiance\n400\tbroken\n")
+    with pytest.raises(ValueError, match="cannot be read"):
+        MeasuredSky.open(tmp_path / "b")
+    (place / "stray.rad.txt").write_text("")
+    with pytest.raises(ValueError, match="not named as the measurements are"):
+        MeasuredSky.open(tmp_path / "b")
+
+
+def test_broken_netcdf_is_refused(tmp_path):
+    path = tmp_path / "sky.nc"
+    with pytest.raises(FileNotFoundError, match="not there"):
+        MeasuredSky.open(path)
+    path.write_bytes(b"CDF\x01 cut short")
+    with pytest.raises(ValueError, match=r"cannot be read|can be read whole|netCDF-3"):
+        MeasuredSky.open(path)
+
+
+def made_up_sky(turbidity=3.0):
+    """A measured sky that is Hosek and Wilkie's."""
+    views = np.broadcast_to(hemisphere(6, 12)[0], (2, 72, 3))
+    suns = sd.direction(np.radians([120.0, 160.0]), np.radians([35.0, 50.0]))
+    wavelengths = np.arange(360.0, 721.0, 5)
+    light = np.stack([sd.HosekWilkie(s, turbidity).radiance(v, wavelengths) for s, v in zip(suns, views, strict=True)])
+    angles = np.arccos(np.clip(np.einsum("cdk,ck->cd", views, suns), -1, 1))
+    names = ("2013-05-27T09:30:00", "2013-05-27T10:30:00")
+    times = np.array([name + "-04:00" for name in names])
+    return MeasuredSky(names, times, suns, views, wavelengths, light, np.ones((2, 72), bool), angles)
+
+
+def test_a_fit_finds_the_turbidity_a_sky_was_made_with():
+    model = EvaluatedModel(
+        "hw", lambda sun, turbidity: sd.HosekWilkie(sun, turbidity), {"turbidity": 2.0}, {"turbidity": (1, 10)}, ""
+    )
+    assert fitted(model, made_up_sky(4.3))["turbidity"] == pytest.approx(4.3, abs=0.02)
+
+
+def test_unknown_models_and_fits_are_refused():
+    with pytest.raises(ValueError, match=r"model must be one of preetham, hosek-wilkie.* got 'none'"):
+        evaluated(made_up_sky(), ["none"])
+    with pytest.raises(ValueError, match="fit must be one of no, all, half, each, got 'best'"):
+        evaluated(made_up_sky(), ["preetham"], "best")
+
+
+@needs_data
+def test_the_command_writes_table_json_and_figures(tmp_path):
+    command = [sys.executable, "-m", "skydome", "evaluate", str(FILE), "--models", "preetham,hosek-wilkie", "--json"]
+    command += ["--figures", str(tmp_path), "--table", str(tmp_path / "t.csv")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    rows = json.loads(done.stdout)["models"]
+    assert [row["model"] for row in rows] == ["preetham", "hosek-wilkie"]
+    assert rows[0]["error"] == pytest.approx(1.27, abs=0.01)
+    assert sorted(p.name for p in tmp_path.iterdir())[:3] == [
+        f"evaluation-{n}.png" for n in ("day", "maps", "meridian")
+    ]
+    assert (tmp_path / "t.csv").read_text().startswith("model,error")
+    bad = subprocess.run([*command[:5], "--models", "nothing"], capture_output=True, text=True, check=False)
+    assert bad.returncode == 2
+    assert bad.stderr.count("\n") == 1
