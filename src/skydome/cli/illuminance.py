@@ -80,7 +80,7 @@ def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
     """The light on the plane with its unit in the name; numbers, lists and strings only."""
     import skydome as sd
 
-    view = sd.View.of(asked.surroundings, asked.normal, asked.bands)
+    view = sd.PlaneView.of(asked.surroundings, asked.normal, asked.bands)
     light = view.receive(scene.whole, albedo=asked.albedo)
     parts = {"sky": light.sky, "sun": light.sun, "reflected": light.reflected, "total": light.total}
     return {

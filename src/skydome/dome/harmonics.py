@@ -5,7 +5,7 @@ and Hanrahan (2001) have them. Index l^2 + l + m.
 """
 
 from dataclasses import dataclass
-from math import factorial
+from math import factorial, isqrt
 from typing import Any
 
 import numpy as np
@@ -89,13 +89,14 @@ class SphericalHarmonics:
 
     def __post_init__(self) -> None:
         count = floating(self.coefficients).shape[-1]
-        if round(count**0.5) ** 2 != count:
+        if isqrt(count) ** 2 != count:
             raise ValueError(f"coefficients must have shape (..., (order + 1)^2), got {count}")
 
     @property
     def order(self) -> int:
         """The highest degree l."""
-        return round(self.coefficients.shape[-1] ** 0.5) - 1
+        count: int = self.coefficients.shape[-1]
+        return isqrt(count) - 1
 
     @classmethod
     def of(cls, sky: Sky, order: int = 2) -> "SphericalHarmonics":

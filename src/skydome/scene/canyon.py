@@ -11,7 +11,7 @@ from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import ZENITH, checked_directions, direction
 from skydome.ground.quadrature import gauss_legendre
 from skydome.scene.bands import Bands, dihedral, level_axis
-from skydome.scene.obstruction import Received, View
+from skydome.scene.obstruction import PlaneView, Received
 from skydome.scene.obstruction_intervals import SKY, Surroundings
 from skydome.scene.radiosity import crossed_strings, interreflected
 from skydome.skies.sky import Sky
@@ -168,18 +168,18 @@ class CanyonPoint(Surroundings):
         floor = np.clip(np.nan_to_num((landing + half) / c.width * n, posinf=0.0, neginf=0.0), 0, n - 1).astype(int)
         return np.where(height < 0, floor, np.where(height > c.height, SKY, wall))
 
-    def view(self, normal: Any = ZENITH, bands: int = 64) -> View:
+    def view(self, normal: Any = ZENITH, bands: int = 64) -> PlaneView:
         """The view of a plane. Where the plane holds the street's direction the bands run along the street.
 
         Then roofs and the strips' ends are edges of bands, and the shares of sky and strips are exact.
         """
         n = np.asarray(checked_directions(normal, "normal"), dtype=np.float64)
         if abs(float(n @ self.canyon.along)) > 1e-9:
-            return View.of(self, n, bands)
+            return PlaneView.of(self, n, bands)
         plain = level_axis(n)
         axis = self.canyon.along * np.sign(plain @ self.canyon.along or 1.0)
         across = np.cross(n, axis)
         gaps = self.canyon.ends.reshape(-1, 2) - (self.x, self.z)
         gaps = gaps[np.linalg.norm(gaps, axis=-1) > 1e-9 * self.canyon.width]
         borders = [dihedral(gap[0] * self.canyon.right + gap[1] * ZENITH, across, n) for gap in gaps]
-        return View.of(self, n, Bands.of(n, bands, axis, borders))
+        return PlaneView.of(self, n, Bands.of(n, bands, axis, borders))

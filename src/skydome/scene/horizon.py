@@ -1,6 +1,5 @@
 """The horizon as seen from one place: elevation by azimuth, from a table or from a model of the terrain."""
 
-import csv
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -56,14 +55,14 @@ class Horizon(Surroundings):
     def read(cls, path: "str | PathLike[str]") -> "Horizon":
         """The profile in a CSV file: rows of azimuth,elevation in degrees; a header line and # lines may be there.
 
-        A last row at 360 degrees that repeats the first is dropped. ValueError names the line that is wrong.
+        A row at 360 degrees that repeats the one at 0 is dropped. ValueError names the line that is wrong.
         """
         rows = numbered_rows(Path(path))
         if not rows:
             raise ValueError(f"{Path(path).name} must have rows of azimuth,elevation in degrees, got none")
+        if (360.0, dict(rows).get(0.0)) in rows:
+            rows.remove((360.0, dict(rows)[0.0]))
         table = np.radians(np.array(rows))
-        if len(table) > 1 and np.isclose(table[-1, 0] - table[0, 0], 2 * np.pi) and table[-1, 1] == table[0, 1]:
-            table = table[:-1]
         return cls(table[:, 0], table[:, 1])
 
     @classmethod
@@ -108,22 +107,27 @@ class Horizon(Surroundings):
 
 def numbered_rows(path: Path) -> list[tuple[float, float]]:
     """Pairs of numbers in a CSV file; ValueError names the first line that is none."""
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError:
+        raise ValueError(f"{path.name} must be a text file of azimuth,elevation in degrees, got other bytes") from None
     found: list[tuple[float, float]] = []
-    with path.open(newline="", encoding="utf-8-sig") as lines:
-        for number, cells in enumerate(csv.reader(lines), 1):
-            if not any(cell.strip() for cell in cells) or cells[0].lstrip().startswith("#"):
-                continue
-            try:
-                turn, height = (float(cell) for cell in cells)
-            except ValueError:
-                if not found and all(cell.strip()[:1].isalpha() for cell in cells):
-                    continue
-                raise ValueError(
-                    f"{path.name}, line {number}: must be azimuth,elevation in degrees such as 90,12.5, "
-                    f"got {','.join(cells)!r}"
-                ) from None
-            found.append((turn, height))
+    for number, line in enumerate(text.splitlines(), 1):
+        cells = [cell.strip() for cell in line.split(",")]
+        header = not found and all(cell[:1].isalpha() for cell in cells)
+        if line.strip() and not line.lstrip().startswith("#") and not header:
+            found.append(pair(cells, f"{path.name}, line {number}"))
     return found
+
+
+def pair(cells: list[str], where: str) -> tuple[float, float]:
+    """Azimuth and elevation, degrees; ValueError that says where something else stands."""
+    try:
+        turn, height = (float(cell) for cell in cells)
+    except ValueError:
+        expected = "must be azimuth,elevation in degrees such as 90,12.5"
+        raise ValueError(f"{where}: {expected}, got {','.join(cells)!r}") from None
+    return turn, height
 
 
 def checked_heights(heights: Any, cell: float, row: int, column: int) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 from skydome.dome.integrals import illuminance
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import ZENITH, checked_directions
-from skydome.scene.obstruction import TOLERANCE, Received, View
+from skydome.scene.obstruction import TOLERANCE, PlaneView, Received
 from skydome.scene.obstruction_intervals import GROUND, SKY, Surroundings
 from skydome.scene.radiosity import interreflected
 from skydome.skies.sky import Sky
@@ -117,7 +117,7 @@ class MeshScene:
         return MeshPoint(self, place + self.lift * np.asarray(checked_directions(normal, "normal")))
 
     @cached_property
-    def face_views(self) -> list[list[View]]:
+    def face_views(self) -> list[list[PlaneView]]:
         """The views of 3 points of every triangle: (N) lists of 3. Found once, for any number of skies."""
         corners = INNER @ self.triangles
         return [
@@ -139,9 +139,9 @@ class MeshScene:
                 factors[row, met] += front * view.factors[view.labels >= 0] / (np.pi * len(INNER))
         return factors
 
-    def view(self, point: Any, normal: Any, bands: int = 64, tolerance: float = TOLERANCE) -> View:
+    def view(self, point: Any, normal: Any, bands: int = 64, tolerance: float = TOLERANCE) -> PlaneView:
         """The view from a point (3,) of a surface that faces `normal` (3,)."""
-        return View.of(self.at(point, normal), normal, bands, tolerance)
+        return PlaneView.of(self.at(point, normal), normal, bands, tolerance)
 
     def lit(self, sky: Sky) -> Array:
         """Illuminance of every triangle with interreflection, lx, (..., N)."""

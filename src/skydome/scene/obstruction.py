@@ -9,7 +9,7 @@ from skydome.dome.integrals import discs_and_rest, illuminance
 from skydome.ground.arrays import Array, as_numpy, constant
 from skydome.ground.directions import ZENITH, tangent_frame
 from skydome.scene.bands import Bands, matched
-from skydome.scene.obstruction_intervals import GROUND, SKY, Intervals, Surroundings, intervals, refined
+from skydome.scene.obstruction_intervals import SKY, Intervals, Surroundings, intervals, refined
 from skydome.skies.sky import Sky
 from skydome.skies.sun_disc import SunDisc
 
@@ -32,7 +32,7 @@ class Received:
 
 
 @dataclass(frozen=True, eq=False)
-class View:
+class PlaneView:
     """What one plane sees, ready for any sky: found once, used for a year.
 
     `directions` (M, 3) and `weights` (M,), projected solid angles, of the visible sky; `labels` (K,) of what else is
@@ -49,7 +49,7 @@ class View:
     @classmethod
     def of(
         cls, surroundings: Surroundings, normal: Any = ZENITH, bands: "int | Bands" = 64, tolerance: float = TOLERANCE
-    ) -> "View":
+    ) -> "PlaneView":
         """The view of a plane facing `normal` (3,) through `bands`: bands laid out for it, or how many to begin with.
 
         In the second case bands are halved until what is seen changes by less than `tolerance` across each.
@@ -145,7 +145,7 @@ def obstructed_illuminance(
     """Light on a plane facing `normal` (3,) among surroundings, lx: `.sky`, `.sun`, `.reflected` and their `.total`.
 
     `luminances`, cd m-2, by the surroundings' labels; what has none reflects as ground of `albedo` (0-1) under the
-    open sky. For many skies make `View.of(...)` once. ValueError for an albedo outside [0, 1].
+    open sky. For many skies make `PlaneView.of(...)` once. ValueError for an albedo outside [0, 1].
 
     >>> import skydome as sd
     >>> received = obstructed_illuminance(sd.Uniform(1000.0), sd.Horizon.level(30 * sd.deg))
@@ -154,7 +154,4 @@ def obstructed_illuminance(
     """
     if not 0 <= albedo <= 1:
         raise ValueError(f"albedo must lie in [0, 1], got {albedo}")
-    return View.of(surroundings, normal, bands).receive(sky, luminances, albedo)
-
-
-__all__ = ["GROUND", "SKY", "Received", "View", "obstructed_illuminance"]
+    return PlaneView.of(surroundings, normal, bands).receive(sky, luminances, albedo)

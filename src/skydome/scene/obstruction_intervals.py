@@ -11,6 +11,8 @@ SKY, GROUND = -1, -2
 LOOKS = 180
 HALVINGS = 16
 DEEPEST = 8
+MOST_BETWEEN = 24
+"""Borders followed between two looks; a street has 16 strips a wall."""
 
 
 class Surroundings(ABC):
@@ -53,38 +55,44 @@ def intervals(surroundings: Surroundings, bands: Bands, looks: int = LOOKS) -> I
     """The intervals of every band by what they see, without gaps from 0 to pi.
 
     Each band's middle line is looked along `looks` times at even steps; where two neighbours differ the border is
-    halved down to 3e-7 rad. What is narrower than a step (1 degree) can be missed.
+    halved down to 3e-7 rad, and what begins there is followed on. What begins and ends between two equal looks, and
+    so is narrower than 1 degree, can be missed.
     """
     alpha = (np.arange(looks) + 0.5) * (np.pi / looks)
     label = surroundings.seen(bands.directions(np.arange(bands.count)[:, None], alpha))
     band, step = np.nonzero(label[:, 1:] != label[:, :-1])
-    border = halved(surroundings, bands, band, alpha[step], alpha[step + 1], label[band, step])
-    return joined(bands.count, band, border, label, step)
+    low, high = alpha[step], alpha[step + 1]
+    before, after = label[band, step], label[band, step + 1]
+    found = [(np.arange(bands.count), np.full(bands.count, np.pi), label[:, -1])]
+    for _ in range(MOST_BETWEEN):
+        if not len(band):
+            break
+        border = halved(surroundings, bands, band, low, high, before)
+        found.append((band, border, before))
+        now = surroundings.seen(bands.directions(band, border))
+        more = now != after
+        band, low, high, before, after = band[more], border[more], high[more], now[more], after[more]
+    return joined(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
 def halved(
     surroundings: Surroundings, bands: Bands, band: np.ndarray, low: np.ndarray, high: np.ndarray, label: np.ndarray
 ) -> np.ndarray:
-    """Angles at which each band stops seeing `label` between `low` and `high`, all (B,)."""
-    for _ in range(HALVINGS if len(band) else 0):
+    """Angles, just beyond the border, at which each band no longer sees `label`, between `low` and `high`, all (B,)."""
+    for _ in range(HALVINGS):
         middle = (low + high) / 2
         same = surroundings.seen(bands.directions(band, middle)) == label
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    border: np.ndarray = (low + high) / 2
-    return border
+    return high
 
 
-def joined(count: int, band: np.ndarray, border: np.ndarray, label: np.ndarray, step: np.ndarray) -> Intervals:
-    """The intervals between the borders (B,) of `count` bands; `label` (N, looks), `step` (B,) before each border."""
-    ends = np.full(count, np.pi)
-    owner = np.concatenate([band, np.arange(count)])
-    last = np.concatenate([border, ends])
-    what = np.concatenate([label[band, step], label[:, -1]])
-    order = np.lexsort((last, owner))
-    owner, last, what = owner[order], last[order], what[order]
+def joined(band: np.ndarray, last: np.ndarray, label: np.ndarray) -> Intervals:
+    """The intervals from the ends of all of them: `band`, angle `last` and what is seen up to there, (I,) each."""
+    order = np.lexsort((last, band))
+    band, last, label = band[order], last[order], label[order]
     first = np.concatenate([[0.0], last[:-1]])
-    first[np.append(True, owner[1:] != owner[:-1])] = 0.0
-    return Intervals(owner, first, last, what)
+    first[np.append(True, band[1:] != band[:-1])] = 0.0
+    return Intervals(band, first, last, label)
 
 
 def refined(surroundings: Surroundings, bands: Bands, tolerance: float, looks: int = LOOKS) -> Bands:

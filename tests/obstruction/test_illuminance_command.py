@@ -1,0 +1,100 @@
+"""`skydome illuminance` says what the library says, and refuses what cannot be in one line."""
+
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import skydome as sd
+from skydome import deg
+from skydome.cli.main import app
+
+WHEN = ("--place", "45.07,7.69,240", "--time", "2026-06-21T15:00+02:00")
+PROFILE = "azimuth,elevation\n0,5\n90,10\n180,35\n270,20\n360,5\n"
+
+
+@pytest.fixture
+def profile(tmp_path):
+    path = tmp_path / "profile.csv"
+    path.write_text(PROFILE)
+    return path
+
+
+def call(*arguments):
+    return CliRunner().invoke(app, ["illuminance", *map(str, arguments)])
+
+
+def told(*arguments):
+    result = call(*arguments, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout, parse_constant=pytest.fail)
+
+
+def test_a_plane_before_hills_is_the_librarys(profile):
+    facts = told("--plane", "30,180", "--horizon", profile, *WHEN, "--turbidity", 4)
+    time = "2026-06-21T15:00+02:00"
+    sky = sd.HosekWilkie(sd.sun_direction(sd.Place(45.07, 7.69, 240), time), turbidity=4.0, albedo=0.2)
+    disc = sd.SunDisc.of(sky, angular_radius=float(sd.solar_radius(time)))
+    hills = sd.Horizon(np.arange(4) * 90 * deg, np.array([5, 10, 35, 20]) * deg)
+    normal = sd.direction(180 * deg, 60 * deg)
+    light = sd.obstructed_illuminance(sky + disc, hills, normal, albedo=0.2)
+    for name in ("sky", "sun", "reflected", "total"):
+        assert facts["illuminance_lx"][name] == pytest.approx(float(getattr(light, name)), rel=1e-9)
+    assert facts["unobstructed_lx"] > facts["illuminance_lx"]["total"]
+    assert facts["plane"] == {"tilt_deg": 30, "azimuth_deg": 180}
+
+
+def test_a_level_plane_in_the_open_is_global_illuminance():
+    facts = told(*WHEN)
+    light = json.loads(CliRunner().invoke(app, ["light", *WHEN, "--json"]).stdout)["illuminance_lx"]
+    assert facts["sky_view_factor"] == pytest.approx(1.0, abs=1e-12)
+    assert facts["illuminance_lx"]["total"] == pytest.approx(light["global"], rel=1e-3)
+    assert facts["horizon"] is None
+
+
+def test_people_read_a_table(profile):
+    text = call("--plane", "90,200", "--model", "uniform", "--zenith-luminance", 1000, "--ground", 0.5).stdout
+    assert "1,571 lx" in text
+    assert "785 lx (albedo 0.5)" in text
+    assert "without the horizon" in call("--horizon", profile, *WHEN).stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--plane", "30"), "--plane must be 2 numbers such as 30,180"),
+        (("--plane", "200,0"), "tilt of --plane must lie in [0, 180]"),
+        (("--ground", "2"), "--ground must lie in [0, 1], got 2"),
+        (("--bands", "0"), "--bands must lie in [1, 4096]"),
+        (("--horizon", "none.csv"), "horizon's file must exist, got none.csv"),
+    ],
+)
+def test_bad_options_are_refused(arguments, said):
+    refused(call(*WHEN, *arguments), said)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "bad.csv must have rows"),
+        (b"0,5\n90,x\n", "bad.csv, line 2: must be azimuth,elevation"),
+        (b"0,95\n", "elevations must lie in [0, 90) degrees, got 95"),
+        (b"\xff\xfe\x00\x81", "bad.csv must be a text file"),
+    ],
+)
+def test_bad_profiles_are_refused(tmp_path, content, said):
+    path = tmp_path / "bad.csv"
+    path.write_bytes(content)
+    refused(call(*WHEN, "--horizon", path), said)
+
+
+def test_night_is_refused():
+    refused(call("--place", "45,7", "--time", "2026-06-21T01:00+02:00"), "sun must be above the horizon")
+
+
+def refused(result, said):
+    assert result.exit_code == 2, result.output
+    assert result.stdout == ""
+    assert result.stderr.count("\n") == 1
+    assert said in result.stderr
