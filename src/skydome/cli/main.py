@@ -16,6 +16,7 @@ from skydome.cli.plot import plot
 from skydome.cli.render import light, render
 from skydome.cli.shader import shader
 from skydome.cli.sun import sun
+from skydome.cli.terrain import terrain
 
 BAD_INPUT, INTERRUPTED = 2, 130
 
@@ -47,7 +48,7 @@ def complain(message: str) -> int:
 app = typer.Typer(
     cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
-for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate):
+for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate, terrain):
     app.command()(command)
 
 
