@@ -13,9 +13,9 @@ def shader(sky: Sky, lang: str = "glsl", *, scale: float = 1.0, space: RGBSpace 
     """Source of `skydome_rgb(direction)`: linear RGB of the sky toward a unit vector (x east, y north, z up).
 
     (1, 1, 1) means 1 / `scale` cd m-2: games that expose for noon take scale = 1e-4 or so. 0 below the horizon (over
-    the last millionth of the way, so that rounding does not blacken it). `lang` is glsl, wgsl, hlsl, osl or c. Skies of
-    the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie); TypeError for others, ValueError for a sky of more than
-    one condition, or at night. Without the sun's disc.
+    the last millionth of the way, so that rounding does not blacken it); without the sun's disc. `lang` is glsl, wgsl,
+    hlsl, osl or c. Skies of the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie); TypeError for others,
+    ValueError for a sky of more than one condition, or at night.
 
     >>> import skydome as sd
     >>> code = sd.shader(sd.HosekWilkieRGB(sd.direction(azimuth=1.0, elevation=0.7), turbidity=3.0), "wgsl")
