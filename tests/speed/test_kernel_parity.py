@@ -7,8 +7,7 @@ import skydome as sd
 from skydome.dome.sky_rows import columns_from_sun
 from skydome.ground.quadrature import hemisphere
 from skydome.skies import fast_light
-from skydome.skies.fast_light import holds_in_float32, kernels
-from skydome.skies.series import formula_light
+from skydome.skies.fast_light import formula_light, kernels, odd_skies
 
 pytest.importorskip("numba")
 
@@ -155,13 +154,18 @@ def test_each_column_is_written_once(mirrored, sun_column):
     assert len(columns.turn[0]) == (width if sun_column == 20.3 else width // 2 + (sun_column % 1 == 0.5))
 
 
-def test_the_kernels_are_left_alone_where_they_would_overflow():
-    steep = np.zeros((1, 10))
-    assert holds_in_float32(steep)
+def test_skies_beyond_the_kernels_come_from_the_formula(always, monkeypatch):
+    usual = np.array([[[1.0, -1.0, -0.3, 1.0, 5.0, -3.0, 0.4, 0.0, 0.0, 0.0]]])
+    assert not odd_skies(usual).any()
     for column, value in ((2, 0.1), (5, -100.0), (5, 20.0), (0, np.nan)):
-        wrong = steep.copy()
-        wrong[0, column] = value
-        assert not holds_in_float32(wrong)
+        wrong = usual.copy()
+        wrong[..., column] = value
+        assert odd_skies(wrong).all()
+    monkeypatch.setattr(fast_light, "MOST_ODD", 0.6)
+    suns = sun_at(np.array([30.0, 50.0]))[:, None]
+    sky = sd.Perez(suns, -1.0, -0.3, 5.0, np.array([[-3.0], [-100.0]]), 0.4, zenith_luminance=1000.0)
+    toward = hemisphere(6, 12)[0]
+    np.testing.assert_allclose(sd.luminance_series(sky, toward), sky.luminance(toward), rtol=2e-6)
 
 
 def test_powers_and_angles():

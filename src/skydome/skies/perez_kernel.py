@@ -18,10 +18,10 @@ from numba import njit
 
 real = np.float32
 BLOCK = 2048
-ZERO, ONE, PI = real(0.0), real(1.0), real(np.pi)
+ZERO, ONE, TWO, PI = real(0.0), real(1.0), real(2.0), real(np.pi)
 ROUNDING = real(1.5 * 2**23)
 """Added and taken away again it rounds to a whole number, which stands in the low bits of the sum."""
-LEAST_POWER, SMALLEST = real(1.5 * 2**23 - 126), real(-126.0)
+LEAST_POWER, SMALLEST, LEAST = real(1.5 * 2**23 - 126), real(-126.0), real(-3e38)
 MANTISSA_BITS, BITS_OF_ONE = np.int32(23), np.int32(127 << 23)
 LENGTH_TOLERANCE = real(2e-3)
 SKIES_IN_TILE = 32
@@ -55,38 +55,44 @@ def power_less(x, base):  # type: ignore[no-untyped-def]
 
 
 @compiled
+def small_angle(m):  # type: ignore[no-untyped-def]
+    """The angle up to 90 degrees whose 1 - cos is m, radians."""
+    return np.sqrt(m) * (((((((G7 * m + G6) * m + G5) * m + G4) * m + G3) * m + G2) * m + G1) * m + G0)
+
+
+@compiled
 def angle(u, w):  # type: ignore[no-untyped-def]
     """The angle whose 1 - cos is u and whose 1 + cos is w, radians."""
-    m = u if u < w else w
-    series = ((((((G7 * m + G6) * m + G5) * m + G4) * m + G3) * m + G2) * m + G1) * m + G0
-    smaller = np.sqrt(m) * series
+    smaller = small_angle(u if u < w else w)
     return smaller if u <= w else PI - smaller
 
 
 @compiled
-def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, base, values):  # type: ignore[no-untyped-def]
-    """Write constant + D (exp(E g) - base) + F cos^2 g + G chi(H, g) for each u = 1 - cos g and angle g."""
+def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, base, least, values):  # type: ignore[no-untyped-def]
+    """Write max(least, constant + D (exp(E g) - base) + F cos^2 g + G chi(H, g)) for each u = 1 - cos g and angle g."""
     if peak == ZERO:
         for i in range(count):
             cosine = ONE - u[i]
-            values[i] = constant + d * power_less(e * g[i], base) + f * (cosine * cosine)
+            light = constant + d * power_less(e * g[i], base) + f * (cosine * cosine)
+            values[i] = light if light > least else least
     else:
         for i in range(count):
             cosine = ONE - u[i]
             square = cosine * cosine
             root = ONE / np.sqrt(gap + twice * u[i])
             chi = (peak + peak * square) * (root * root * root)
-            values[i] = constant + d * power_less(e * g[i], base) + f * square + chi
+            light = constant + d * power_less(e * g[i], base) + f * square + chi
+            values[i] = light if light > least else least
 
 
 @compiled
 def graded(count, over, root, level, lift, slope, base, part, values):  # type: ignore[no-untyped-def]
-    """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - base); 0 where negative or below."""
+    """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - base); 0 where negative."""
     for i in range(count):
         power = slope * over[i]
-        shape = level + lift * power_less(power if power > SMALLEST else SMALLEST, base)
-        bright = (values[i] + part * root[i]) * shape
-        values[i] = bright if (bright > ZERO) & (over[i] > ZERO) else ZERO
+        light = level + lift * power_less(power if power > SMALLEST else SMALLEST, base)
+        light *= values[i] + part * root[i]
+        values[i] = light if light > ZERO else ZERO
 
 
 @compiled
@@ -98,16 +104,12 @@ def coloured(count, chromatic, balance, values):  # type: ignore[no-untyped-def]
             cx, cy = x[i], y[i]
             scale = z[i] / (cy if cy > ZERO else ONE)
             scale = scale if cy > ZERO else ZERO
-            x[i] = scale * cx
-            y[i] = scale * cy
-            z[i] = scale * (ONE - cx - cy)
+            x[i], y[i], z[i] = scale * cx, scale * cy, scale * (ONE - cx - cy)
     if balance.size:
         for i in range(count):
             total = balance[0] * x[i] + balance[1] * y[i] + balance[2] * z[i]
             scale = y[i] / (total if total != ZERO else ONE)
-            x[i] *= scale
-            y[i] *= scale
-            z[i] *= scale
+            x[i], y[i], z[i] = x[i] * scale, y[i] * scale, z[i] * scale
 
 
 @compiled
@@ -115,6 +117,11 @@ def mixed(count, matrix, values, results):  # type: ignore[no-untyped-def]
     """Write matrix @ values into results: (K, C) times (C, count), leaving out the zeros."""
     for k in range(matrix.shape[0]):
         row = results[k]
+        if matrix.shape[1] == 3:
+            a, b, c, x, y, z = matrix[k, 0], matrix[k, 1], matrix[k, 2], values[0], values[1], values[2]
+            for i in range(count):
+                row[i] = a * x[i] + b * y[i] + c * z[i]
+            continue
         for i in range(count):
             row[i] = ZERO
         for c in range(matrix.shape[1]):
@@ -132,15 +139,11 @@ def stored(count, channels, results, place, backwards):  # type: ignore[no-untyp
         if backwards:
             for i in range(count):
                 k, j = np.uintp(3 * i), np.uintp(count - 1 - i)
-                place[k] = first[j]
-                place[k + np.uintp(1)] = second[j]
-                place[k + np.uintp(2)] = third[j]
+                place[k], place[k + np.uintp(1)], place[k + np.uintp(2)] = first[j], second[j], third[j]
         else:
             for i in range(count):
                 k = np.uintp(3 * i)
-                place[k] = first[i]
-                place[k + np.uintp(1)] = second[i]
-                place[k + np.uintp(2)] = third[i]
+                place[k], place[k + np.uintp(1)], place[k + np.uintp(2)] = first[i], second[i], third[i]
         return
     for channel in range(channels):
         row = results[channel]
@@ -185,9 +188,7 @@ def whole_map(first, last, rows, constants, letters, columns, segments, matrix, 
             for c in range(channels):
                 level, k, light = constants[row, c, 0], letters[c], values[c]
                 smooth, d, f, peak = constants[row, c, 1] * level, k[4] * level, k[6] * level, k[7] * level
-                indicatrix(count, u, g, smooth, d, k[5], f, peak, k[8], k[9], k[11], light)
-                for i in range(count):
-                    light[i] = light[i] if light[i] > ZERO else ZERO
+                indicatrix(count, u, g, smooth, d, k[5], f, peak, k[8], k[9], k[11], ZERO, light)
             shown = finished(count, matrix, chromatic, balance, values, results)
             for side in range(2):
                 column = segments[segment, 2 + side]
@@ -205,7 +206,7 @@ def many_skies(first, last, letters, suns, states, directions, edges, matrix, ch
     under the first. `work` (8 + C + K, 2048): scratch.
     """
     total, skies, channels = directions.size // 3, letters.shape[0], letters.shape[1]
-    quantity = matrix.shape[0] if matrix.size else channels
+    quantity, alone = matrix.shape[0] if matrix.size else channels, channels == 1 and matrix.size == 0
     blocks = (total + BLOCK - 1) // BLOCK
     x, y, z, root, over, length, u, g = work[0], work[1], work[2], work[3], work[4], work[5], work[6], work[7]
     values, results = work[8 : 8 + channels], work[8 + channels :]
@@ -218,12 +219,13 @@ def many_skies(first, last, letters, suns, states, directions, edges, matrix, ch
         for i in range(count):
             k = np.uintp(3 * i)
             x[i], y[i], z[i] = toward[k], toward[k + np.uintp(1)], toward[k + np.uintp(2)]
+        hidden = 0
         for i in range(count):
             length[i] = abs(x[i] * x[i] + y[i] * y[i] + z[i] * z[i] - ONE)
             root[i] = np.sqrt(z[i] if z[i] > ZERO else ZERO)
             lifted = z[i] + offset
             over[i] = ONE / (lifted if lifted > floor else floor)
-            over[i] = over[i] if z[i] >= ZERO else -ONE
+            hidden += 1 if z[i] < ZERO else 0
         if first_sky == 0:
             for i in range(count):
                 wrong += 0 if length[i] <= LENGTH_TOLERANCE else 1
@@ -237,14 +239,19 @@ def many_skies(first, last, letters, suns, states, directions, edges, matrix, ch
                 continue
             sx, sy, sz = suns[sky, 0], suns[sky, 1], suns[sky, 2]
             for i in range(count):
-                ax, ay, az = x[i] - sx, y[i] - sy, z[i] - sz
-                bx, by, bz = x[i] + sx, y[i] + sy, z[i] + sz
-                one = real(0.5) * (ax * ax + ay * ay + az * az)
-                u[i] = one
-                g[i] = angle(one, real(0.5) * (bx * bx + by * by + bz * bz))
+                side = ONE if x[i] * sx + y[i] * sy + z[i] * sz >= ZERO else -ONE
+                ax, ay, az = x[i] - side * sx, y[i] - side * sy, z[i] - side * sz
+                m = real(0.5) * (ax * ax + ay * ay + az * az)
+                smaller = small_angle(m)
+                u[i] = m if side > ZERO else TWO - m
+                g[i] = smaller if side > ZERO else PI - smaller
             for c in range(channels):
-                k, light = letters[sky, c], values[c]
-                indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[11], light)
+                k, light = letters[sky, c], here if alone else values[c]
+                indicatrix(count, u, g, k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[11], LEAST, light)
                 graded(count, over, root, k[0], k[1], k[2], k[12], k[10], light)
-            stored(count, quantity, finished(count, matrix, chromatic, balance, values, results), here, False)
+                if hidden:
+                    for i in range(count):
+                        light[i] = light[i] if z[i] >= ZERO else ZERO
+            if not alone:
+                stored(count, quantity, finished(count, matrix, chromatic, balance, values, results), here, False)
     return wrong

@@ -6,21 +6,11 @@ import numpy as np
 
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import checked_directions
-from skydome.skies.fast_light import Light, checked_out, chosen, many_skies
+from skydome.skies.fast_light import checked_out, chosen, formula_light, many_skies
 from skydome.skies.formula_sky import FormulaSky, Recipe
-from skydome.skies.perez_formula import evaluate, view_geometry
 from skydome.skies.sky import Sky
 
 VALUES_AT_A_TIME = 1 << 18
-
-
-def formula_light(light: Light, directions: np.ndarray) -> np.ndarray:
-    """The light of T skies toward directions (D, 3) by the readable formula, float64 (T, D, K)."""
-    cosine, angle = view_geometry(directions, light.suns[:, None, :])
-    channels = evaluate(light.coefficients[:, None], cosine, angle, light.offset, light.floor)
-    states = light.states[:, None, None]
-    result = np.where((states == 1) & (directions[:, 2:] >= 0), light.quantity.of(channels), 0.0)
-    return np.where(states < 0, np.nan, result)
 
 
 def light_series(sky: FormulaSky, recipe: Recipe, directions: Any, out: np.ndarray | None = None) -> np.ndarray:
@@ -40,8 +30,7 @@ def light_series(sky: FormulaSky, recipe: Recipe, directions: Any, out: np.ndarr
     step = max(1, VALUES_AT_A_TIME // max(1, len(directions) * light.size))
     for start in range(0, len(out), step):
         part = slice(start, start + step)
-        some = light._replace(coefficients=light.coefficients[part], suns=light.suns[part], states=light.states[part])
-        out[part] = formula_light(some, directions)
+        out[part] = formula_light(light.part(part), directions)
     return out
 
 
