@@ -34,6 +34,7 @@ HOME = {
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
     "skies.daylight_sky": "Daylight",
     "skies.sun_disc": "SunDisc",
+    "skies.preetham_sun": "PreethamSun",
     "skies.neural": "NeuralSky NeuralSpectralSky",
     "skies.series": "luminance_series",
     "air.atmosphere": "Atmosphere",
@@ -62,6 +63,12 @@ HOME = {
     "scene.glare": "glare",
     "scene.point_spread": "CIETotal Spencer PHOTOPIC MESOPIC SCOTOPIC",
     "scene.lens_flare": "LensFlare",
+    "air.transmittance": "ClearAir",
+    "scene.aerial_perspective": "aerial_perspective AerialPerspective AirLight",
+    "scene.ward_larson": "WardLarson",
+    "scene.terrain": "render_terrain TerrainPicture",
+    "scene.terrain_elevation": "Elevation read_elevation",
+    "scene.camera": "Camera",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.integrals import discs_and_rest
-from skydome.ground.directions import direction
+from skydome.ground.directions import direction, unit
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import SRGB, encode_srgb, rgb_from_xyz
@@ -31,6 +31,9 @@ MOST_LIT = 100_000
 """Vertices whose skylight is computed; between them it is interpolated."""
 
 ROWS_AT_A_TIME = 64
+HORIZON = 1e-4
+"""Sine of the least elevation at which the sky is taken, for pixels that reach below the horizon."""
+
 SUN_POINTS = 4000
 """Points of the sun's disc that are laid onto the picture."""
 
@@ -194,12 +197,14 @@ def rgb_of(skies: list[Sky], directions: np.ndarray) -> np.ndarray:
 
 
 def background_of(sky: Sky, camera: Camera) -> np.ndarray:
-    """RGB (H, W, 3) of the sky with the sun's disc, whose energy is right at every resolution; 0 below the horizon."""
+    """RGB (H, W, 3) of the sky with the sun's disc, whose energy is right at every resolution."""
     discs, rest = discs_and_rest(sky)
     image = np.zeros((camera.height, camera.width, 3))
     for first in range(0, camera.height, ROWS_AT_A_TIME):
         last = min(first + ROWS_AT_A_TIME, camera.height)
-        image[first:last] = np.maximum(rgb_of(rest, camera.directions(first, last)), 0.0)
+        views = camera.directions(first, last)
+        views[..., 2] = np.maximum(views[..., 2], HORIZON)  # a pixel on the horizon has sky in its upper part
+        image[first:last] = np.maximum(rgb_of(rest, unit(views)), 0.0)
     for disc, weight in discs:
         points, light = disc.points(SUN_POINTS)
         row, column, solid_angle = camera.pixels(points)
