@@ -11,6 +11,7 @@ from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.skies.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.hosek_wilkie import HosekWilkie
 from skydome.skies.preetham import Preetham
+from skydome.skies.scattering_sky import Nishita93, Nishita96
 from skydome.skies.sky import SpectralSky
 from skydome.study.evaluation import SkyOf
 from skydome.study.measured_sky import MeasuredSky
@@ -83,6 +84,20 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             {"depth": 0.068, "share": 0.37, "narrow": 0.853, "wide": 0.609},
             {"depth": (0.005, 0.5), "share": (0.0, 1.0), "narrow": (0.7, 0.97), "wide": (0.0, 0.8)},
             "its aerosol has been fitted to this day and place",
+        ),
+        EvaluatedModel(
+            "nishita93",
+            lambda sun, depth, asymmetry: Nishita93(sun, plain_air(depth, asymmetry, distance)),
+            {"depth": 0.06, "asymmetry": 0.76},
+            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
+            "one scattering only: too dark, most of all in the blue and away from the sun",
+        ),
+        EvaluatedModel(
+            "nishita96",
+            lambda sun, depth, asymmetry: Nishita96(sun, plain_air(depth, asymmetry, distance)),
+            {"depth": 0.06, "asymmetry": 0.76},
+            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
+            "two scatterings only: a few percent (red) to a fifth (blue) too dark",
         ),
         EvaluatedModel(
             "bruneton-air",
