@@ -55,8 +55,8 @@ def is_torch(value: Any) -> bool:
 
 
 def require_one_device(tensors: list[Any]) -> None:
-    """TypeError where torch tensors live on several devices; single numbers of the CPU go along with any, as in torch."""
-    devices = {str(tensor.device) for tensor in tensors if tensor.ndim or not tensor.device.type == "cpu"}
+    """TypeError where torch tensors live on several devices; single CPU numbers go along with any, as in torch."""
+    devices = {str(tensor.device) for tensor in tensors if tensor.ndim or tensor.device.type != "cpu"}
     if len(devices) > 1:
         got = " and ".join(sorted(devices))
         raise TypeError(f"arrays on different devices cannot be mixed, got {got}; move them to one device first")
@@ -95,7 +95,7 @@ def constant(table: Any, like: Array) -> Array:
 
 
 def is_concrete(value: Any) -> bool:
-    """False where the values cannot be looked at: while JAX or torch traces, compiles or maps a function, and on "meta"."""
+    """False where the values cannot be looked at: while JAX or torch traces or maps a function, and on "meta"."""
     jax, torch = sys.modules.get("jax"), sys.modules.get("torch")
     if jax is not None and isinstance(value, jax.core.Tracer):
         return False
