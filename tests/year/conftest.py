@@ -74,7 +74,7 @@ def radiance(program: str, *arguments, check=True, **keywords) -> subprocess.Com
         command,
         capture_output=True,
         check=check,
-        env={"RAYPATH": str(folder / "lib"), "PATH": str(folder / "bin")},
+        env={"RAYPATH": f".:{folder / 'lib'}", "PATH": str(folder / "bin")},
         **keywords,
     )
 

@@ -25,9 +25,9 @@ def compiled(function):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def means_of_many_skies(
+def means_of_many_skies(  # type: ignore[no-untyped-def]
     letters, suns, targets, samples, starts, over, fine, fine_over, fine_weights, near, weights, lit, out
-):  # type: ignore[no-untyped-def]  # noqa: E501
+):
     """Write the patch means of K skies into rows `lit` (K,) of `out` (T, N).
 
     `letters` (K, 5), `suns` (K, 3), `targets` (K,): what the means weighted by `weights` (N,) add up to; `samples`
