@@ -1,0 +1,174 @@
+"""Many sites, one Zarr store: computed by Dask workers, each site written whole, resumed where it stopped."""
+
+import csv
+import json
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skydome.dome.patches import patches as patches_named
+from skydome.year.weather import read_weather
+
+HOURS = 8760
+SITES_A_TASK = 5
+DONE, FAILED = 1, 2
+"""What the store's `state` holds of each site; 0: not yet."""
+
+FIELDS = ("sun_azimuth", "sun_elevation", "direct_normal_illuminance", "diffuse_horizontal_illuminance")
+
+
+@dataclass(frozen=True)
+class Site:
+    """A row of sites.csv: its number there, a name, a weather file."""
+
+    row: int
+    name: str
+    file: str
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a site: its place in the store, and what went wrong, if anything."""
+
+    index: int
+    error: str = ""
+
+
+def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = None) -> tuple[list[Site], list[str]]:
+    """The sites of a CSV with columns `name` and `file`, and a line for each bad row; files lie in `folder`.
+
+    ValueError where the columns are missing.
+    """
+    base = Path(folder) if folder is not None else Path(path).parent
+    sites, bad = [], []
+    with open(path, newline="", encoding="utf-8") as file:
+        table = csv.DictReader(file)
+        if table.fieldnames is None or not {"name", "file"} <= set(table.fieldnames):
+            raise ValueError(f"{Path(path).name} needs columns name and file, got {table.fieldnames}")
+        for row, cells in enumerate(table, start=2):
+            name, weather = (cells.get("name") or "").strip(), (cells.get("file") or "").strip()
+            if not name or not weather:
+                bad.append(f"line {row}: name and file must be given, got {name!r} and {weather!r}")
+            elif not (base / weather).is_file():
+                bad.append(f"line {row} ({name}): no such file as {base / weather}")
+            else:
+                sites.append(Site(row, name, str(base / weather)))
+    return sites, bad
+
+
+def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str, Any]) -> Any:
+    """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others."""
+    import zarr
+
+    about = {"sites": [asdict(site) for site in sites], "choices": choices}
+    if Path(store).exists():
+        group = zarr.open_group(store, mode="r+")
+        if json.loads(group.attrs.get("skydome", "{}")) != about:
+            raise ValueError(f"{store} holds other sites or choices; give another name, or remove it")
+        return group
+    cut = patches_named(choices.get("patches", "tregenza"))
+    group = zarr.open_group(store, mode="w")
+    count = len(sites)
+
+    def array(name: str, shape: tuple[int, ...], chunks: tuple[int, ...], dims: list[str], dtype: str) -> None:
+        group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, dimension_names=dims, fill_value=0)
+
+    array("luminance", (count, HOURS, cut.count), (1, HOURS, cut.count), ["site", "time", "patch"], "float32")
+    for name in FIELDS:
+        array(name, (count, HOURS), (1, HOURS), ["site", "time"], "float32")
+    array("status", (count, HOURS), (1, HOURS), ["site", "time"], "uint16")
+    array("time", (count, HOURS), (1, HOURS), ["site", "time"], "int64")
+    group["time"].attrs["units"] = "seconds since 1970-01-01"
+    array("state", (count,), (1,), ["site"], "uint8")
+    for name, values in (("solid_angle", cut.solid_angles), ("horizontal_solid_angle", cut.horizontal_solid_angles)):
+        array(name, (cut.count,), (cut.count,), ["patch"], "float64")
+        group[name][:] = values
+    group.attrs["skydome"] = json.dumps(about)
+    return group
+
+
+def make_sites(store: str, work: list[tuple[int, Site]], choices: dict[str, Any]) -> list[Outcome]:
+    """Compute and write some sites; one that fails is told and the others go on. Each is marked done last of all."""
+    import zarr
+
+    group = zarr.open_group(store, mode="r+")
+    return [one_site(group, index, site, choices) for index, site in work]
+
+
+def one_site(group: Any, index: int, site: Site, choices: dict[str, Any]) -> Outcome:
+    """Compute and write one site: its arrays whole, then its state."""
+    from skydome.year.series import year
+
+    try:
+        weather = read_weather(site.file)
+        if weather.count != HOURS:
+            raise ValueError(f"a year here has {HOURS} hours, got {weather.count}")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            data = year(weather, **choices)
+    except (ValueError, OSError) as error:
+        group["state"][index] = FAILED
+        return Outcome(index, f"line {site.row} ({site.name}): {error}")
+    group["luminance"][index] = data["luminance"].values
+    for name in (*FIELDS, "status"):
+        group[name][index] = data[name].values
+    group["time"][index] = weather.middle.astype(np.int64)
+    group["state"][index] = DONE
+    told = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
+    return Outcome(index, f"line {site.row} ({site.name}): warning: {told}" if told else "")
+
+
+def run_sites(
+    store: str | PathLike[str],
+    sites: list[Site],
+    scheduler: str | None = None,
+    workers: int = 2,
+    progress: Callable[[int, int], None] | None = None,
+    **choices: Any,
+) -> list[str]:
+    """Fill the store on a Dask cluster (`scheduler` address, or worker processes of this machine); what to tell.
+
+    Sites that are done already are left; a worker that dies has its sites done again by another. Every site's numbers
+    are the same, whoever computes them. `progress(done, total)` is called as sites come in.
+    """
+    from dask.distributed import Client, LocalCluster, as_completed
+
+    group = open_store(store, sites, choices)
+    state = group["state"][:]
+    open_work = [(k, site) for k, site in enumerate(sites) if state[k] != DONE]
+    batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
+    told: list[str] = []
+    done = len(sites) - len(open_work)
+    if progress is not None:
+        progress(done, len(sites))
+    if not batches:
+        return told
+    with cluster_client(Client, LocalCluster, scheduler, workers) as client:
+        futures = [client.submit(make_sites, str(store), batch, choices, pure=False, retries=3) for batch in batches]
+        for future in as_completed(futures):
+            outcomes = future.result()
+            told += [outcome.error for outcome in outcomes if outcome.error]
+            done += len(outcomes)
+            if progress is not None:
+                progress(done, len(sites))
+    return sorted(told)
+
+
+def cluster_client(client: Any, cluster: Any, scheduler: str | None, workers: int) -> Any:
+    """A client of the scheduler at an address, or of new single-threaded worker processes here."""
+    from contextlib import contextmanager
+
+    @contextmanager
+    def here() -> Iterator[Any]:
+        with (
+            cluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as local,
+            client(local) as connected,
+        ):
+            yield connected
+
+    return client(scheduler) if scheduler is not None else here()
