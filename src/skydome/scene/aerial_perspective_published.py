@@ -3,7 +3,7 @@
 deviation from the paper | here | why
 eq. 10 begins with exp(-H1) | H1 = exp(-alpha1 h0) | the density at the viewer is meant
 K of section 4.1 | beta / (alpha cos t) | with the printed sign transmittance would grow with distance
-"|alpha s cos t| << 1" | |alpha1 s cos t| < 0.1 | no limit is given; 0.1 has the smallest worst error of those tried
+"|alpha s cos t| << 1" | |alpha1 s cos t| < 0.1 | no limit is given
 """
 
 from dataclasses import dataclass
@@ -29,9 +29,9 @@ LEVEL = 0.1
 class PublishedClosedForm(Integration):
     """Eq. 10 for nearly level rays, eq. 11 for others. Kept as the paper's method, not for use.
 
-    Worst relative error of I1 and I2 over zenith angles 0-120 degrees: 4 % to 1 km, 10 % to 3 km, 80 % to 10 km, then
-    factors up to 1e28 at 100 km, because no cubic follows the other kind's extinction once this kind has thinned out
-    (docs/aerial-perspective.md has the map). In float32 eq. 11 loses its digits where K is small.
+    Worst relative error of I1 and I2 over zenith angles 0-120 degrees and turbidity 2-6: .8 % to 1 km, 2.4 % to 3 km,
+    a factor of 4 to 10 km, then factors up to 1e28 at 100 km, because no cubic follows the other kind's extinction once
+    this kind has thinned out (docs/aerial-perspective.md has the map). In float32 eq. 11 loses digits where K is small.
     """
 
     def integrals(self, ray: Ray, air: Coefficients) -> tuple[Array, Array]:
