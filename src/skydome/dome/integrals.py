@@ -72,7 +72,8 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
     total: Array = 0.0
     for part in rest:
         light = part.luminance(nodes)
-        total = total + light @ namespace(light).matrix_transpose(weights)
+        xp = namespace(light)
+        total = total + light @ xp.astype(xp.matrix_transpose(weights), light.dtype)
     for disc, factor in discs:
         total = total + disc.illuminance(normals) * factor
     if ground_albedo:

@@ -60,10 +60,9 @@ def interpolated_coefficients(form: str, turbidity: Array, albedo: Array, sun_el
         [stored[f"{form}_radiance"][..., None], stored[f"{form}_parameters"][..., ORDER]], axis=-1
     )  # (turbidity, albedo, control, channel, 10)
     channels = table.shape[-2]
-    table = constant(table.transpose(0, 2, 1, 3, 4).reshape(60, 2 * channels * 10), turbidity)
     weights = turbidity_weights(turbidity)[..., :, None] * control_weights(sun_elevation)[..., None, :]
     weights = xp.reshape(weights, (*tuple(weights.shape)[:-2], 60))
-    mixed = weights @ table
+    mixed = weights @ constant(table.transpose(0, 2, 1, 3, 4).reshape(60, 2 * channels * 10), weights)
     mixed = xp.reshape(mixed, (*tuple(mixed.shape)[:-1], 2, channels, 10))
     albedo = albedo[..., None]
     return mixed[..., 0, :, :] * (1 - albedo) + mixed[..., 1, :, :] * albedo

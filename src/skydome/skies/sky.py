@@ -30,6 +30,7 @@ class Sky(ABC):
     def __post_init__(self) -> None:
         """Validate only; nothing is changed."""
         require_check(self.check)
+        namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
         if hasattr(self, "sun"):
             checked_directions(self.sun, "sun")
         if self.check == "raise":
@@ -127,6 +128,11 @@ class SpectralSky(ColourSky):
         """CIE XYZ by integrating `radiance` over `bands` against the CIE 1931 functions, shape (..., 3)."""
         radiance = self.radiance(directions, self.bands)
         return radiance @ constant(xyz_weights(self.bands), radiance)
+
+
+def has_library(value: Any) -> bool:
+    """True for arrays that must share one library: all but NumPy's whole numbers, which are mere indices."""
+    return hasattr(value, "dtype") and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
 
 
 def plain(value: Any) -> Any:
