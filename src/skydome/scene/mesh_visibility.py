@@ -15,8 +15,8 @@ from skydome.scene.obstruction_intervals import GROUND, SKY, Surroundings
 from skydome.scene.radiosity import interreflected
 from skydome.skies.sky import Sky
 
-LIFT = 1e-5
-"""How far rays start above a surface, in diagonals of the scene."""
+LIFT = 2e-6
+"""How far rays start above a surface, in diagonals of the scene: some 30 roundings of the rays' 32 bit."""
 
 INNER = np.array([[4, 1, 1], [1, 4, 1], [1, 1, 4]]) / 6
 """Three points of a triangle in barycentric coordinates, of equal weight: exact for quadratics."""
