@@ -32,7 +32,8 @@ def year_figure(data: "xarray.Dataset", title: str = "") -> "Figure":
 
     figure = Figure(figsize=(11, 11), layout="constrained", dpi=110)
     FigureCanvasAgg(figure)
-    top, bottom = np.ravel(figure.subfigures(2, 1, height_ratios=(1.25, 1)))
+    parts: Any = figure.subfigures(2, 1, height_ratios=(1.25, 1))
+    top, bottom = parts
     axes = top.subplots(2, 1, sharex=True)
     for axis, name in zip(axes, ("global_horizontal_illuminance", "diffuse_horizontal_illuminance"), strict=True):
         draw_hours(top, axis, data, quantity(data, name), LABELS[name])
@@ -75,7 +76,12 @@ def draw_hours(figure: Any, axes: Any, data: "xarray.Dataset", values: np.ndarra
     table = by_hour_and_day(data, values / 1000)
     axes.set_facecolor("0.6")
     image = axes.imshow(
-        np.ma.masked_invalid(table), origin="lower", aspect="auto", cmap="inferno", extent=(0, table.shape[1], 0, 24)
+        np.ma.masked_invalid(table),
+        origin="lower",
+        aspect="auto",
+        cmap="inferno",
+        extent=(0, table.shape[1], 0, 24),
+        interpolation="nearest",
     )
     axes.set_yticks([0, 6, 12, 18, 24])
     axes.set_ylabel("hour, standard time")

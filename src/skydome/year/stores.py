@@ -20,8 +20,10 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
     """
     final = Path(path)
     if final.suffix == ".nc":
+        # In memory first: on a full disk libhdf5 does not only fail, it takes the process with it.
+        content = data.to_netcdf(engine="h5netcdf", encoding={"luminance": {"zlib": True, "complevel": 1}})
         with appearing(final) as beside:
-            data.to_netcdf(beside, engine="h5netcdf", encoding={"luminance": {"zlib": True, "complevel": 1}})
+            beside.write_bytes(content)
         return
     if final.suffix != ".zarr":
         raise ValueError(f"a year must be written as .zarr or .nc, got {final.name!r}")
