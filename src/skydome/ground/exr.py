@@ -32,7 +32,7 @@ def write_exr(
     """
     import OpenEXR
 
-    peak = float(np.max(np.abs(pixels), initial=0.0))
+    peak = float(max(np.max(pixels, initial=0.0), -np.min(pixels, initial=0.0)))  # no copy of a large map
     if not math.isfinite(peak):
         raise ValueError("pixels must be finite to be written, got NaN or infinity")
     largest = HALF_MAXIMUM if half else float(np.finfo(np.float32).max)

@@ -34,16 +34,19 @@ G0, G1, G2, G3, G4, G5, G6, G7 = (real(c) for c in (
     0.003338417011053371, -0.0019906429602384126, 0.001211737769810765))  # fmt: skip
 
 
+CHOICES = {"nogil": True, "fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy"}  # no reordering of sums
+piece = njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **CHOICES)  # for the two jobs alone, not for Python
+
+
 def compiled(function: Any) -> Any:
-    """`function` by Numba, kept on disk where a folder can be written to; no reordering of sums."""
-    choices = {"nogil": True, "fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy"}
+    """`function` by Numba, kept on disk where a folder can be written to."""
     try:
-        return njit(cache=True, **choices)(function)
+        return njit(cache=True, **CHOICES)(function)
     except RuntimeError:  # no folder for the cache
-        return njit(**choices)(function)
+        return njit(**CHOICES)(function)
 
 
-@compiled
+@piece
 def power_less(x, base):  # type: ignore[no-untyped-def]
     """2^x - base for -1000 < x < 127, base 0 or 1; with base 1 it keeps its digits near x = 0."""
     shifted = x + ROUNDING
@@ -54,20 +57,20 @@ def power_less(x, base):  # type: ignore[no-untyped-def]
     return whole * series + (whole - base)
 
 
-@compiled
+@piece
 def small_angle(m):  # type: ignore[no-untyped-def]
     """The angle up to 90 degrees whose 1 - cos is m, radians."""
     return np.sqrt(m) * (((((((G7 * m + G6) * m + G5) * m + G4) * m + G3) * m + G2) * m + G1) * m + G0)
 
 
-@compiled
+@piece
 def angle(u, w):  # type: ignore[no-untyped-def]
     """The angle whose 1 - cos is u and whose 1 + cos is w, radians."""
     smaller = small_angle(u if u < w else w)
     return smaller if u <= w else PI - smaller
 
 
-@compiled
+@piece
 def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, base, least, values):  # type: ignore[no-untyped-def]
     """Write max(least, constant + D (exp(E g) - base) + F cos^2 g + G chi(H, g)) for each u = 1 - cos g and angle g."""
     if peak == ZERO:
@@ -85,7 +88,7 @@ def indicatrix(count, u, g, constant, d, e, f, peak, gap, twice, base, least, va
             values[i] = light if light > least else least
 
 
-@compiled
+@piece
 def graded(count, over, root, level, lift, slope, base, part, values):  # type: ignore[no-untyped-def]
     """Multiply (values + I sqrt(cos t)) by level + R A (exp(B / cos t) - base); 0 where negative."""
     for i in range(count):
@@ -95,7 +98,7 @@ def graded(count, over, root, level, lift, slope, base, part, values):  # type: 
         values[i] = light if light > ZERO else ZERO
 
 
-@compiled
+@piece
 def coloured(count, chromatic, balance, values):  # type: ignore[no-untyped-def]
     """Turn rows x, y, Y into X, Y, Z in place (black where y = 0); then multiply by Y / (balance . XYZ), if any."""
     x, y, z = values[0], values[1], values[2]
@@ -112,7 +115,7 @@ def coloured(count, chromatic, balance, values):  # type: ignore[no-untyped-def]
             x[i], y[i], z[i] = x[i] * scale, y[i] * scale, z[i] * scale
 
 
-@compiled
+@piece
 def mixed(count, matrix, values, results):  # type: ignore[no-untyped-def]
     """Write matrix @ values into results: (K, C) times (C, count), leaving out the zeros."""
     for k in range(matrix.shape[0]):
@@ -131,7 +134,7 @@ def mixed(count, matrix, values, results):  # type: ignore[no-untyped-def]
                     row[i] += weight * source[i]
 
 
-@compiled
+@piece
 def stored(count, channels, results, place, backwards):  # type: ignore[no-untyped-def]
     """Write rows of results into flat memory of count x channels, channel last; in opposite order if `backwards`."""
     if channels == 3:
@@ -155,7 +158,7 @@ def stored(count, channels, results, place, backwards):  # type: ignore[no-untyp
                 place[np.uintp(channels * i + channel)] = row[np.uintp(count - 1 - i if backwards else i)]
 
 
-@compiled
+@piece
 def finished(count, matrix, chromatic, balance, values, results):  # type: ignore[no-untyped-def]
     """The rows of the quantity asked for: channels by way of xyY, balance and matrix; an empty one means none."""
     if chromatic or balance.size:
