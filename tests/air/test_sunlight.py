@@ -132,3 +132,13 @@ def test_bad_input_and_night():
     with pytest.raises(ValueError, match="ozone must be 0 or more"):
         ClearAir(ozone=-1.0)
     assert ClearAir().irradiance(sun_at(-5), BANDS).max() == 0
+
+
+def test_disc_of_the_same_sun():
+    sun = sun_at(30)
+    disc = sd.PreethamSun(sun, 3.0)
+    w = np.array([450.0, 550.0, 650.0])
+    assert disc.irradiance(w) == pytest.approx(ClearAir(3.0).irradiance(sun, w), rel=1e-9)
+    assert float(disc.normal_xyz[1]) == pytest.approx(float(ClearAir(3.0).normal_xyz(sun)[1]), rel=1e-3)
+    whole = sd.illuminance(sd.Preetham(sun, 3.0) + disc) - sd.illuminance(sd.Preetham(sun, 3.0))
+    assert float(whole) == pytest.approx(float(disc.normal_xyz[1]) / 2, rel=1e-6)

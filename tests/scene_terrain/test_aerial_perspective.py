@@ -248,3 +248,24 @@ def test_mean_fall_is_exact_in_both_precisions():
     exact = np.where(z == 0, 1.0, -np.expm1(-z) / np.where(z == 0, 1, z))
     assert mean_fall(z) == pytest.approx(exact, rel=1e-12)
     assert mean_fall(z.astype(np.float32)) == pytest.approx(exact, rel=1e-5)
+
+
+def test_figure_8_half_an_hour_before_sunset():
+    """T 6: the veil is warmer in the west than Ward-Larson's, bluer in the east than in the west and the sky.
+
+    Toward the east it is not bluer than the fog in absolute chromaticity: the fog takes the zenith's colour.
+    """
+    from skydome.light.colour import xyY_from_xyz, xyz_from_rgb
+
+    sun = sd.sun_direction(sd.Place(latitude=40.36, longitude=-105.70, altitude=2800), "2026-07-01T20:00-06:00")
+    sky = sd.Preetham(sun, 6.0)
+    light = AirLight(sky + sd.PreethamSun(sun, 6.0))
+    views = sd.direction(np.array([90.0, 270.0]) * deg, -0.01)
+    (east, _, _), (west, _, _) = xyY_from_xyz(xyz_from_rgb(light.at(2e4, views, 800.0).inscattered))
+    fog = float(xyY_from_xyz(xyz_from_rgb(WardLarson(light).at(2e4, views, 800.0).inscattered))[0, 0])
+    horizon = sky.xyz(sd.direction(np.array([90.0, 270.0]) * deg, 1 * deg))
+    sky_east, sky_west = xyY_from_xyz(horizon)[:, 0]
+    assert west > fog + 0.05
+    assert east < west - 0.02
+    assert east < sky_east - 0.03
+    assert west < sky_west
