@@ -40,6 +40,7 @@ HOME = {
     "air.atmosphere": "Atmosphere",
     "skies.discrete_ordinates": "DiscreteOrdinates",
     "skies.scattering_sky": "Nishita93 Nishita96",
+    "skies.path_traced": "PathTraced",
     "maps.environment_map": "EnvironmentMap",
     "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
     "maps.targets": "target",

@@ -10,6 +10,7 @@ from skydome.air.atmosphere import DARK_GREEN, Atmosphere
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.skies.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.hosek_wilkie import HosekWilkie
+from skydome.skies.path_traced import PathTraced
 from skydome.skies.preetham import Preetham
 from skydome.skies.scattering_sky import Nishita93, Nishita96
 from skydome.skies.sky import SpectralSky
@@ -98,6 +99,13 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             {"depth": 0.06, "asymmetry": 0.76},
             {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
             "two scatterings only: a few percent (red) to a fifth (blue) too dark",
+        ),
+        EvaluatedModel(
+            "path-traced",
+            lambda sun, depth, asymmetry: PathTraced(sun, plain_air(depth, asymmetry, distance), 0.01),
+            {"depth": 0.06, "asymmetry": 0.76},
+            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
+            "noise of 1 %; else those of plain-air",
         ),
         EvaluatedModel(
             "bruneton-air",

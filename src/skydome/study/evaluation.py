@@ -17,6 +17,7 @@ from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_from_radiance
 from skydome.skies.discrete_ordinates import DiscreteOrdinates
+from skydome.skies.path_traced import PathTraced
 from skydome.skies.scattering_sky import Nishita93
 from skydome.skies.sky import SpectralSky
 from skydome.study.measured_sky import MeasuredSky
@@ -107,13 +108,13 @@ def compared(name: str, sky: MeasuredSky, sky_of: SkyOf) -> Comparison:
 
 def band_mean(model: SpectralSky, directions: np.ndarray) -> Array:
     """A model's radiance averaged over 400-700 nm, W m-2 sr-1 nm-1, (D,)."""
-    if isinstance(model, DiscreteOrdinates | Nishita93):
+    if isinstance(model, DiscreteOrdinates | Nishita93 | PathTraced):
         return band_mean_by_transfer(model, directions)
     wavelengths = np.arange(BAND[0], BAND[1] + 1, 10.0)
     return np.trapezoid(np.asarray(model.radiance(directions, wavelengths)), wavelengths, axis=-1) / (BAND[1] - BAND[0])
 
 
-def band_mean_by_transfer(model: DiscreteOrdinates | Nishita93, directions: np.ndarray) -> Array:
+def band_mean_by_transfer(model: DiscreteOrdinates | Nishita93 | PathTraced, directions: np.ndarray) -> Array:
     """The same from five wavelengths: what the air does is smooth, the sun's spectrum is not and is known."""
     wavelengths, weights = transfer_rule()
     transfer = model.radiance(directions, wavelengths) / model.atmosphere.sun_at(wavelengths)
