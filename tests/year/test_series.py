@@ -203,3 +203,19 @@ def test_the_name_year_is_both_module_and_function():
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "Weather"
+
+
+def test_a_year_in_slices_is_the_same_year(greensboro, tmp_path):
+    import xarray
+
+    from skydome.year.stores import write_year
+
+    part, choices = greensboro.rows(slice(4300, 4420)), {"colour": "preetham", "wavelengths": [400.0, 550.0, 700.0]}
+    write_year(part, tmp_path / "a.zarr", values_at_once=145 * 3 * 30, **choices)
+    whole = year(part, **choices)
+    with xarray.open_zarr(tmp_path / "a.zarr") as data:
+        assert np.array_equal(data.time, whole.time)
+        for name in ("radiance", "luminance", "status", "sun_azimuth", "solid_angle"):
+            assert np.allclose(data[name], whole[name], rtol=1e-5)
+    with pytest.raises(ValueError, match="is written whole"):
+        write_year(part, tmp_path / "b.zarr", compat="gendaymtx")

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
-from skydome.cli.options import AsJson
+from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import busy, print_json, print_table
 
 ENDINGS = (".zarr", ".nc", ".mtx")
@@ -24,6 +24,9 @@ def year(
         str | None, Option(metavar="preetham|hosek-wilkie", help="The clear sky that lends its colours.")
     ] = None,
     turbidity: Annotated[float, Option(help="Haze of that clear sky.")] = 3.0,
+    wavelengths: Annotated[
+        str | None, Option(metavar="FROM,TO,STEP", help="Spectra too, nm, with --colour: 380,720,20.")
+    ] = None,
     ascii_text: Annotated[bool, Option("--ascii", help="Write .mtx as text.")] = False,
     sun_in_patch: Annotated[bool, Option("--sun-in-patch", help="Put the sun's light into .mtx too.")] = False,
     suns: Annotated[Path | None, Option(help="Write the suns as Radiance sources: suns.rad.")] = None,
@@ -35,6 +38,7 @@ def year(
 ) -> None:
     """Make the skies of a year from a weather file, on patches of the dome."""
     choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
+    choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
     check_output(output)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
@@ -62,6 +66,14 @@ def check_output(output: Path | None) -> None:
         raise FileNotFoundError(f"the folder to write to must exist, got {output.absolute().parent}")
 
 
+def steps(text: str) -> list[float]:
+    """Wavelengths, nm, from FROM,TO,STEP."""
+    low, high, step = numbers(text, 3, "--wavelengths", "380,720,20")
+    if not 0 < low < high or not 0 < step <= high - low:
+        raise ValueError(f"--wavelengths must be FROM,TO,STEP with FROM < TO, got {text!r}")
+    return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
+
+
 def is_sites(path: Path) -> bool:
     """True for a table of sites, False for a TMY3 file."""
     with path.open(encoding="utf-8", errors="replace") as file:
@@ -82,11 +94,19 @@ def single(
     from skydome.year.radiance_files import write_matrix, write_suns
     from skydome.year.series import year as year_of
     from skydome.year.status import counts
-    from skydome.year.stores import write_dataset
+    from skydome.year.stores import write_dataset, write_year
+    from skydome.year.weather import read_weather
 
     with busy("a year of skies", long=True):
-        data = year_of(path, **choices)
-        if output is not None and output.suffix == ".mtx":
+        weather = read_weather(path)
+        streamed = output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx"
+        plain = {name: choices[name] for name in ("patches", "compat", "smooth")}
+        data = year_of(weather, **(plain if streamed else choices))
+        if output is not None and streamed:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # told by the first pass
+                write_year(weather, output, **choices)
+        elif output is not None and output.suffix == ".mtx":
             write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
         elif output is not None:
             write_dataset(data, output)

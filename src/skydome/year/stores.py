@@ -4,10 +4,18 @@ import os
 import secrets
 import shutil
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from skydome.dome.patches import patches as patches_named
 from skydome.ground.writing import appearing
+from skydome.year.plausibility import warn_of_wrong_place
+from skydome.year.series import year
+from skydome.year.weather import Weather
 
 if TYPE_CHECKING:
     import xarray
@@ -27,11 +35,47 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
         return
     if final.suffix != ".zarr":
         raise ValueError(f"a year must be written as .zarr or .nc, got {final.name!r}")
+    with store_appearing(final) as beside:
+        data.to_zarr(beside, mode="w-")
+
+
+def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: int = 1 << 25, **choices: Any) -> None:
+    """Write the Dataset of `year(weather, **choices)` to a Zarr store some hours at a time, in bounded memory.
+
+    About `values_at_once` float32 numbers are held of the largest variable. ValueError for compat="gendaymtx", whose
+    dew points look back.
+    """
+    if choices.get("compat") == "gendaymtx":
+        raise ValueError('compat="gendaymtx" is written whole: use year(...) and write_dataset')
+    wavelengths = choices.get("wavelengths")
+    each = max(3, 0 if wavelengths is None else np.size(wavelengths))
+    hours = max(24, values_at_once // (each * patches_named(choices.get("patches", "tregenza")).count))
+    warn_of_wrong_place(weather)
+    with store_appearing(Path(path)) as beside:
+        for k in range(0, weather.count, hours):
+            part = slice(k, min(k + hours, weather.count))
+            haze = choices.get("turbidity", 3.0)
+            given = choices | {"turbidity": haze[part] if np.ndim(haze) else haze}
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # the place has been looked at already
+                data = year(weather.rows(part), **given)
+                data.attrs["title"] = f"A year of skies{weather.where}"
+                if k == 0:
+                    clock = {"units": "seconds since 1970-01-01", "dtype": "int64"}
+                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock})
+                else:
+                    moving = [name for name in data.variables if "time" not in data[name].dims]
+                    data.drop_vars(moving).to_zarr(beside, append_dim="time")
+
+
+@contextmanager
+def store_appearing(final: Path) -> Iterator[Path]:
+    """The name of a folder beside `final` that becomes it on leaving, and is removed on any error."""
     beside = final.with_name(f".{final.name}.{secrets.token_hex(4)}.part")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # zarr tells of consolidated metadata, which xarray writes on purpose
-            data.to_zarr(beside, mode="w-")
+            yield beside
         old = final.with_name(f".{final.name}.{secrets.token_hex(4)}.old")
         if final.exists():
             final.rename(old)
