@@ -41,6 +41,7 @@ HOME = {
     "skies.discrete_ordinates": "DiscreteOrdinates",
     "skies.scattering_sky": "Nishita93 Nishita96",
     "skies.path_traced": "PathTraced",
+    "skies.refitted": "Refitted",
     "maps.environment_map": "EnvironmentMap",
     "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
     "maps.targets": "target",

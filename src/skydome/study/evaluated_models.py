@@ -12,6 +12,7 @@ from skydome.skies.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.hosek_wilkie import HosekWilkie
 from skydome.skies.path_traced import PathTraced
 from skydome.skies.preetham import Preetham
+from skydome.skies.refitted import Numbers, Refitted
 from skydome.skies.scattering_sky import Nishita93, Nishita96
 from skydome.skies.sky import SpectralSky
 from skydome.study.evaluation import SkyOf
@@ -53,6 +54,22 @@ def distance_of(sky: MeasuredSky) -> float:
     from skydome.sun.position import earth_sun_distance
 
     return float(np.mean(earth_sun_distance([str(time) for time in sky.times])))
+
+
+class Refit:
+    """From a sun to the fast sky of plain air: the nine numbers are fitted once for each air, then only evaluated."""
+
+    def __init__(self, distance: float) -> None:
+        self.distance = distance
+        self.known: dict[tuple[float, float], Numbers] = {}
+
+    def __call__(self, sun: np.ndarray, depth: float, asymmetry: float) -> Refitted:
+        """The sky of one sun."""
+        from skydome.study.refit import refitted
+
+        if (depth, asymmetry) not in self.known:
+            self.known[depth, asymmetry] = refitted(plain_air(depth, asymmetry, self.distance))
+        return Refitted(sun, self.known[depth, asymmetry])
 
 
 def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
@@ -106,6 +123,13 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             {"depth": 0.06, "asymmetry": 0.76},
             {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
             "noise of 1 %; else those of plain-air",
+        ),
+        EvaluatedModel(
+            "refitted",
+            Refit(distance),
+            {"depth": 0.06, "asymmetry": 0.76},
+            {},
+            "those of plain-air, and a fit error of about 2 %",
         ),
         EvaluatedModel(
             "bruneton-air",
