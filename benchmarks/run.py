@@ -4,8 +4,9 @@
     python benchmarks/run.py --widths 4096       # one size of map
     python benchmarks/run.py --json results.json
 
-Every round runs each contender once, in turn, so that a busy moment hits all of them; the median over the rounds is
-shown. Output arrays are reused where a library lets them be. Contenders that are missing are named with the reason.
+Every round runs each contender in turn, so that a busy moment hits all of them; median and best over the rounds are
+shown, and the processor time of all threads, which a shared machine disturbs least. Output arrays are reused where a
+library lets them be. Contenders that are missing are named with the reason.
 """
 
 import argparse
@@ -19,7 +20,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import contenders
 import numpy as np
@@ -36,17 +37,34 @@ print(loaded - start, first - start, time.perf_counter() - first)
 """
 
 
-def rounds(runs: dict[str, Callable[[], Any]], count: int) -> dict[str, float]:
-    """Median milliseconds of each contender over rounds in turn, after one round of warm-up."""
-    for run in runs.values():
-        run()
-    times: dict[str, list[float]] = {name: [] for name in runs}
-    for _ in range(count):
+class Times(NamedTuple):
+    """Milliseconds: median and best on the clock, and the least processor time of all threads together."""
+
+    median: float
+    best: float
+    processor: float
+
+    def __mul__(self, factor: float) -> "Times":  # type: ignore[override]
+        return Times(*(value * factor for value in self))
+
+
+def rounds(runs: dict[str, Callable[[], Any]], count: int) -> dict[str, Times]:
+    """Times of each contender over rounds in turn.
+
+    In its turn a contender runs twice and the second run counts: the first puts the caches right and lets the threads
+    of the one before fall asleep. The first round only warms up.
+    """
+    clock: dict[str, list[float]] = {name: [] for name in runs}
+    processor: dict[str, list[float]] = {name: [] for name in runs}
+    for index in range(count + 1):
         for name, run in runs.items():
-            start = time.perf_counter()
             run()
-            times[name].append(1e3 * (time.perf_counter() - start))
-    return {name: statistics.median(each) for name, each in times.items()}
+            start, busy = time.perf_counter(), time.process_time()
+            run()
+            if index:
+                clock[name].append(1e3 * (time.perf_counter() - start))
+                processor[name].append(1e3 * (time.process_time() - busy))
+    return {name: Times(statistics.median(each), min(each), min(processor[name])) for name, each in clock.items()}
 
 
 def split(runs: dict[str, Any]) -> tuple[dict[str, Callable[[], Any]], dict[str, str]]:
@@ -55,27 +73,30 @@ def split(runs: dict[str, Any]) -> tuple[dict[str, Callable[[], Any]], dict[str,
     return {name: run for name, run in runs.items() if name not in missing}, missing
 
 
-def maps(width: int, count: int) -> tuple[dict[str, float], dict[str, str]]:
-    """Medians for the sky half of a map `width` wide, ms."""
+def maps(width: int, count: int) -> tuple[dict[str, Times], dict[str, str]]:
+    """Times for the sky half of a map `width` wide, ms."""
     every = contenders.ours(width) | contenders.plain_numpy(width) | contenders.mitsuba(width)
     runs, missing = split(every | contenders.torch_maps(width) | contenders.jax_maps(width))
     found = rounds(runs, count)
     for name in found:
         if "scaled" in name:
-            found[name] *= (width * width // 4) / int(name.split(",")[1].split()[0])
+            scale = (width * width // 4) / int(name.split(",")[1].split()[0])
+            found[name] = found[name] * scale
     return found, missing
 
 
-def table(title: str, found: dict[str, float], reference: str, missing: dict[str, str]) -> Table:
+def table(title: str, found: dict[str, Times], reference: str, missing: dict[str, str]) -> Table:
     """A table of milliseconds and ratios to the reference contender."""
-    shown = Table(title=title)
+    shown = Table(title=f"{title} (three last columns: times {reference})")
     shown.add_column("contender")
-    shown.add_column("median ms", justify="right")
-    shown.add_column(f"times {reference}", justify="right")
-    for name, value in sorted(found.items(), key=lambda item: item[1]):
-        shown.add_row(name, f"{value:.2f}", f"{value / found[reference]:.2f}")
+    for heading in ("median ms", "best ms", "processor ms", "median", "best", "processor"):
+        shown.add_column(heading, justify="right")
+    for name, own in sorted(found.items(), key=lambda item: item[1]):
+        ratios = [a / max(b, 1e-9) for a, b in zip(own, found[reference], strict=True)]
+        shown.add_row(name, *(f"{value:.2f}" for value in (*own, *ratios)))
     for name, reason in missing.items():
-        shown.add_row(name, "-", reason)
+        shown.add_row(name, *("-" * 6))
+        shown.caption = f"{shown.caption or ''}{name}: {reason}. "
     return shown
 
 
