@@ -17,6 +17,7 @@ from skydome.cli.render import light, render
 from skydome.cli.shader import shader
 from skydome.cli.sun import sun
 from skydome.cli.terrain import terrain
+from skydome.cli.train import train
 from skydome.cli.year import year
 
 BAD_INPUT, INTERRUPTED = 2, 130
@@ -49,7 +50,7 @@ def complain(message: str) -> int:
 app = typer.Typer(
     cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
-for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate, terrain, year):
+for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate, terrain, year, train):
     app.command()(command)
 
 

@@ -53,5 +53,7 @@ class MixedLoss(Loss):
 def wanted_sums(output: Output, light: np.ndarray) -> np.ndarray:
     """The z that would give the light."""
     if isinstance(output, ExponentialOutput):
-        return np.log(np.maximum(light, 1e-6))
-    return np.sqrt(2 * np.maximum(light, 0.0))
+        logarithm: np.ndarray = np.log(np.maximum(light, 1e-6))
+        return logarithm
+    root: np.ndarray = np.sqrt(2 * np.maximum(light, 0.0))
+    return root

@@ -8,7 +8,6 @@ import numpy as np
 
 from skydome.ground.directions import direction
 from skydome.skies.network import conditions, features
-from skydome.skies.sky import Sky
 from skydome.study.levenberg_marquardt import Samples
 
 LEAST_ELEVATION = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
@@ -35,7 +34,8 @@ class PreethamTeacher(Teacher):
         """Linear sRGB, cut off at 0."""
         from skydome.skies.preetham import Preetham
 
-        return np.maximum(Preetham(sun, turbidity).rgb(directions), 0.0)
+        light: np.ndarray = np.maximum(Preetham(sun, turbidity).rgb(directions), 0.0)
+        return light
 
 
 class HosekWilkieTeacher(Teacher):
@@ -47,7 +47,8 @@ class HosekWilkieTeacher(Teacher):
         """Linear sRGB."""
         from skydome.skies.hosek_wilkie import HosekWilkieRGB
 
-        return HosekWilkieRGB(sun, turbidity, albedo).rgb(directions)
+        light: np.ndarray = HosekWilkieRGB(sun, turbidity, albedo).rgb(directions)
+        return light
 
 
 class HosekWilkieSpectralTeacher(Teacher):
@@ -60,7 +61,8 @@ class HosekWilkieSpectralTeacher(Teacher):
         """Spectral radiance, W m-2 sr-1 nm-1."""
         from skydome.skies.hosek_wilkie import HosekWilkie
 
-        return HosekWilkie(sun, turbidity, albedo).radiance(directions, self.bands)
+        light: np.ndarray = HosekWilkie(sun, turbidity, albedo).radiance(directions, self.bands)
+        return light
 
 
 TEACHERS: dict[str, Teacher] = {
@@ -98,7 +100,8 @@ def stratified(rng: np.random.Generator, rings: int, columns: int, count: int) -
     """Directions (count, rings x columns, 3), one at random in each cell of equal zenith angle and azimuth."""
     zenith = (np.arange(rings)[:, None] + rng.random((count, rings, columns))) * (np.pi / 2 / rings)
     azimuth = (np.arange(columns) + rng.random((count, rings, columns))) * (2 * np.pi / columns)
-    return direction(azimuth, np.pi / 2 - zenith).reshape(count, -1, 3)
+    views: np.ndarray = direction(azimuth, np.pi / 2 - zenith).reshape(count, -1, 3)
+    return views
 
 
 def published_lesson(teacher: Teacher, seed: int, albedo: float = 0.5) -> Lesson:
@@ -111,15 +114,40 @@ def published_lesson(teacher: Teacher, seed: int, albedo: float = 0.5) -> Lesson
     return lesson(teacher, elevation.ravel(), turbidity.ravel(), np.full(count, albedo), views)
 
 
-def rich_lesson(teacher: Teacher, seed: int, count: int = 800, views: int = 60, albedo: float | None = 0.5) -> Lesson:
-    """Random conditions: any turbidity, 5 % of suns on the horizon, a fifth of the views near the sun.
+def dense_lesson(teacher: Teacher, seed: int, count: int = 1000) -> Lesson:
+    """For the published network: any turbidity and sun, one sun in ten on the horizon, albedo 0.5.
 
-    `albedo` None draws it from 0 to 1. Low suns are drawn more often (elevation = 90 deg x uniform^1.5).
+    24 views are stratified in zenith angle as the paper's, 16 even in solid angle: 40,000 samples.
+    """
+    rng = np.random.default_rng(seed)
+    turbidity, elevation = rng.uniform(*teacher.turbidities, count), np.pi / 2 * rng.random(count)
+    elevation[: count // 10] = 0.0
+    azimuth, height = rng.uniform(0, 2 * np.pi, (count, 16)), rng.random((count, 16))
+    views = np.concatenate([stratified(rng, 4, 6, count), direction(azimuth, np.arcsin(height))], axis=1)
+    return lesson(teacher, elevation, turbidity, np.full(count, 0.5), views)
+
+
+def spectral_lesson(teacher: Teacher, seed: int) -> Lesson:
+    """For spectral networks: 120,000 samples of any turbidity and albedo, suns above 1.9 degrees."""
+    return rich_lesson(teacher, seed, count=3000, views=40, albedo=None, lowest=0.033)
+
+
+def rich_lesson(
+    teacher: Teacher,
+    seed: int,
+    count: int = 800,
+    views: int = 60,
+    albedo: float | None = 0.5,
+    lowest: float = 0.0,
+) -> Lesson:
+    """Random conditions: any turbidity, 5 % of suns at their lowest, a fifth of the views near the sun.
+
+    `albedo` None draws it from 0 to 1. Low suns are drawn more often (elevation goes as uniform^1.5); radians.
     """
     rng = np.random.default_rng(seed)
     turbidity = rng.uniform(*teacher.turbidities, count)
-    elevation = np.pi / 2 * rng.random(count) ** 1.5
-    elevation[rng.random(count) < 0.05] = 0.0
+    elevation = lowest + (np.pi / 2 - lowest) * rng.random(count) ** 1.5
+    elevation[rng.random(count) < 0.05] = lowest
     reflect = rng.random(count) if albedo is None else np.full(count, albedo)
     spread = direction(rng.uniform(0, 2 * np.pi, (count, views)), np.arcsin(rng.random((count, views))))
     sun = direction(np.zeros(count), elevation)[:, None, :]
@@ -133,18 +161,37 @@ def rich_lesson(teacher: Teacher, seed: int, count: int = 800, views: int = 60, 
 def held_out(teacher: Teacher, seed: int = 99, views: int = 800, albedo: float = 0.5) -> Lesson:
     """The paper's test: half turbidities, 7 sun zeniths from 0 to 90 degrees, fresh views even in solid angle."""
     rng = np.random.default_rng(seed)
-    low, high = teacher.turbidities
-    turbidity, elevation = np.meshgrid(np.arange(low + 0.5, high), np.linspace(np.pi / 2, 0, 7), indexing="ij")
+    turbidity, elevation = held_out_conditions(teacher)
     count = turbidity.size
     spread = direction(rng.uniform(0, 2 * np.pi, (count, views)), np.arcsin(rng.random((count, views))))
-    return lesson(teacher, elevation.ravel(), turbidity.ravel(), np.full(count, albedo), spread)
+    return lesson(teacher, elevation, turbidity, np.full(count, albedo), spread)
 
 
-def sky_of(teacher: Teacher, sun: np.ndarray, turbidity: float, albedo: float) -> Sky:
-    """The teacher's sky itself."""
-    from skydome.skies.hosek_wilkie import HosekWilkie, HosekWilkieRGB
-    from skydome.skies.preetham import Preetham
+def held_out_conditions(teacher: Teacher) -> tuple[np.ndarray, np.ndarray]:
+    """Half turbidities and 7 sun elevations, radians, each with each, flat."""
+    low, high = teacher.turbidities
+    turbidity, elevation = np.meshgrid(np.arange(low + 0.5, high), np.linspace(np.pi / 2, 0, 7), indexing="ij")
+    return turbidity.ravel(), elevation.ravel()
 
-    if teacher.name == "preetham":
-        return Preetham(sun, turbidity)
-    return (HosekWilkie if teacher.bands else HosekWilkieRGB)(sun, turbidity, albedo)
+
+def held_out_by_zenith(teacher: Teacher, seed: int = 99, albedo: float = 0.5) -> Lesson:
+    """The paper's test with its own manner of views: 20 x 40 stratified in zenith angle and azimuth."""
+    turbidity, elevation = held_out_conditions(teacher)
+    views = stratified(np.random.default_rng(seed), 20, 40, turbidity.size)
+    return lesson(teacher, elevation, turbidity, np.full(turbidity.size, albedo), views)
+
+
+def even_lesson(teacher: Teacher, seed: int = 99, count: int = 600, views: int = 100) -> Lesson:
+    """A test even in turbidity, albedo, sun elevation from 2 to 90 degrees, and views in solid angle."""
+    rng = np.random.default_rng(seed)
+    turbidity, albedo = rng.uniform(*teacher.turbidities, count), rng.random(count)
+    elevation = np.radians(rng.uniform(2, 90, count))
+    spread = direction(rng.uniform(0, 2 * np.pi, (count, views)), np.arcsin(rng.random((count, views))))
+    return lesson(teacher, elevation, turbidity, albedo, spread)
+
+
+def teacher_named(name: str) -> Teacher:
+    """The teacher by name; ValueError with the names there are."""
+    if name not in TEACHERS:
+        raise ValueError(f"model must be one of {', '.join(TEACHERS)}, got {name!r}")
+    return TEACHERS[name]

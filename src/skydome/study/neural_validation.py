@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from skydome.skies.network import Network, conditions, features
-from skydome.study.neural_data import Lesson, Teacher, held_out
+from skydome.study.neural_data import Lesson, Teacher, even_lesson, held_out, held_out_by_zenith
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,8 @@ class NetworkErrors:
 def predicted(network: Network, test: Lesson) -> np.ndarray:
     """The network's light for a lesson, (C, D, outputs)."""
     inputs = features(network.features, conditions(test.directions, test.sun, test.turbidity, test.albedo))
-    return network.light(inputs)
+    light: np.ndarray = network.light(inputs)
+    return light
 
 
 def errors(network: Network, test: Lesson) -> NetworkErrors:
@@ -51,5 +52,19 @@ def errors(network: Network, test: Lesson) -> NetworkErrors:
 
 
 def validated(network: Network, teacher: Teacher) -> NetworkErrors:
-    """Errors on the paper's held-out conditions."""
+    """Errors on the paper's held-out conditions, views even in solid angle."""
     return errors(network, held_out(teacher))
+
+
+def validated_by_zenith(network: Network, teacher: Teacher) -> NetworkErrors:
+    """Errors on the paper's held-out conditions and its manner of views: more of them near the zenith.
+
+    The irradiance of these views is not the paper's eq. 11; take `validated` for it.
+    """
+    return errors(network, held_out_by_zenith(teacher))
+
+
+def relative_error(network: Network, teacher: Teacher) -> float:
+    """Root of the mean squared L / L_teacher - 1 over every turbidity and albedo, suns from 2 to 90 degrees."""
+    test = even_lesson(teacher)
+    return float(np.sqrt(np.mean((predicted(network, test) / test.light - 1) ** 2)))
