@@ -11,7 +11,7 @@ from skydome.study.figures import on_disc
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SIDE = 161
+SIDE = 121
 """Texels across a map."""
 
 
@@ -20,7 +20,7 @@ def new_figure(width: float, height: float) -> "Figure":
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(width, height), layout="constrained", dpi=90)
+    figure = Figure(figsize=(width, height), layout="constrained", dpi=75)
     FigureCanvasAgg(figure)
     return figure
 

@@ -52,7 +52,7 @@ def refitted(
     wavelengths: Any = WAVELENGTHS,
     progress: Callable[[int, int], None] | None = None,
 ) -> Numbers:
-    """The nine numbers of an atmosphere's sky (by discrete ordinates) for sun elevations (E,), radians, and wavelengths.
+    """The nine numbers of an atmosphere's sky (discrete ordinates) for sun elevations (E,), radians, and wavelengths.
 
     `progress(done, of)` is called after each sun. About 0.05 s for each sun and wavelength.
     """
