@@ -1,7 +1,9 @@
 """One way to meet NumPy, PyTorch and JAX arrays: find the namespace, convert, guard the edges."""
 
 import sys
-from typing import Any
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -12,6 +14,8 @@ WITHOUT_DTYPE = (int, float, np.generic, list, tuple)
 
 HELD_BY_NUMPY = (np.ndarray, *WITHOUT_DTYPE)
 """Types that NumPy holds without another library."""
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 Array = Any
 """Any array of the array API (numpy, torch, jax); shapes are stated in docstrings."""
@@ -94,6 +98,23 @@ def constant(table: Any, like: Array) -> Array:
     return xp.asarray(np.asarray(table), dtype=like.dtype)
 
 
+def settled(function: Function) -> Function:
+    """Mark a function of constants, such as a table's reader: torch.compile calls it and does not read its code."""
+
+    @wraps(function)
+    def called(*arguments: Any, **named: Any) -> Any:
+        return function(*arguments, **named)
+
+    called.__dict__["_dynamo_marked_constant"] = True  # as torch.compiler.assume_constant_result does, without torch
+    return cast(Function, called)
+
+
+def is_compiling() -> bool:
+    """True while torch.compile reads the code: values and their checks have no meaning then."""
+    torch = sys.modules.get("torch")
+    return torch is not None and torch.compiler.is_compiling()
+
+
 def is_concrete(value: Any) -> bool:
     """False where the values cannot be looked at: while JAX or torch traces or maps a function, and on "meta"."""
     jax, torch = sys.modules.get("jax"), sys.modules.get("torch")
@@ -101,7 +122,7 @@ def is_concrete(value: Any) -> bool:
         return False
     if torch is None or not isinstance(value, torch.Tensor):
         return True
-    if torch.compiler.is_compiling() or value.is_meta:
+    if is_compiling() or value.is_meta:
         return False
     return not torch._C._functorch.is_functorch_wrapped_tensor(value)  # torch.func has no public question for it
 

@@ -4,9 +4,10 @@ from functools import cache
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, namespace
+from skydome.ground.arrays import Array, constant, namespace, settled
 
 
+@settled
 @cache
 def gauss_legendre(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Gauss-Legendre nodes and weights on [0, 1], each of shape (count,)."""
@@ -20,6 +21,7 @@ def crowded(count: int) -> tuple[np.ndarray, np.ndarray]:
     return t * t, 2 * t * w
 
 
+@settled
 def hemisphere(rings: int = 64, columns: int = 128) -> tuple[np.ndarray, np.ndarray]:
     """Directions (N, 3) of the upper hemisphere and their solid angles (N,) sr, N = rings x columns.
 

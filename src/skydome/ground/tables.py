@@ -5,9 +5,12 @@ from importlib.resources import as_file, files
 
 import numpy as np
 
+from skydome.ground.arrays import settled
+
 DATA = files("skydome.ground.data")
 
 
+@settled
 @cache
 def archive(name: str) -> dict[str, np.ndarray]:
     """The arrays of `data/<name>.npz` by name, read-only; loaded once (constants, not state)."""
@@ -18,10 +21,13 @@ def archive(name: str) -> dict[str, np.ndarray]:
     return arrays
 
 
+@settled
 @cache
 def columns(name: str) -> dict[str, np.ndarray]:
     """The columns of `data/<name>.csv` by heading, float64, read-only; lines that start with # tell the source."""
     lines = [line for line in (DATA / f"{name}.csv").read_text("utf-8").splitlines() if line and line[0] != "#"]
     rows = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
-    rows.flags.writeable = False
-    return {heading.strip(): rows[:, k] for k, heading in enumerate(lines[0].split(","))}
+    table = {heading.strip(): rows[:, k].copy() for k, heading in enumerate(lines[0].split(","))}
+    for column in table.values():
+        column.flags.writeable = False
+    return table

@@ -1,12 +1,12 @@
 """Colour: CIE xyY, XYZ and linear or encoded RGB of the spaces in which sky images are kept."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache
 from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide
+from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide, settled
 
 Chromaticity = tuple[float, float]
 
@@ -59,17 +59,15 @@ class RGBSpace:
     white: Chromaticity
     adapted_from: Chromaticity | None = None
 
-    @cached_property
+    @property
     def to_xyz(self) -> np.ndarray:
         """The 3x3 matrix of linear RGB columns to XYZ: the primaries, scaled to add up to the white."""
-        primaries = np.array([xyz_of_white(primary) for primary in (self.red, self.green, self.blue)]).T
-        matrix = primaries * np.linalg.solve(primaries, xyz_of_white(self.white))
-        return matrix if self.adapted_from is None else bradford(self.white, self.adapted_from) @ matrix
+        return matrix_to_xyz(self)
 
-    @cached_property
+    @property
     def from_xyz(self) -> np.ndarray:
         """The 3x3 matrix of XYZ columns to linear RGB, the inverse of `to_xyz`."""
-        return np.linalg.inv(self.to_xyz)
+        return matrix_from_xyz(self)
 
     def adapted(self, white: Chromaticity | None) -> "RGBSpace":
         """The same space with XYZ of the colour `white` at RGB (1, 1, 1) by Bradford; None: plain colorimetry.
@@ -78,6 +76,22 @@ class RGBSpace:
         [1.0, 1.0, 1.0]
         """
         return replace(self, adapted_from=white)
+
+
+@settled
+@cache
+def matrix_to_xyz(space: RGBSpace) -> np.ndarray:
+    """The 3x3 matrix of the space's linear RGB columns to XYZ, computed once."""
+    primaries = np.array([xyz_of_white(primary) for primary in (space.red, space.green, space.blue)]).T
+    matrix: np.ndarray = primaries * np.linalg.solve(primaries, xyz_of_white(space.white))
+    return matrix if space.adapted_from is None else bradford(space.white, space.adapted_from) @ matrix
+
+
+@settled
+@cache
+def matrix_from_xyz(space: RGBSpace) -> np.ndarray:
+    """The 3x3 matrix of XYZ columns to the space's linear RGB, computed once."""
+    return np.linalg.inv(matrix_to_xyz(space))
 
 
 SRGB = RGBSpace("sRGB", (0.640, 0.330), (0.300, 0.600), (0.150, 0.060), D65)

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, safe_divide
+from skydome.ground.arrays import Array, constant, floating, safe_divide, settled
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
 
@@ -24,6 +24,7 @@ RANGE = (380.0, 780.0)
 """The wavelengths of Table 2, nm."""
 
 
+@settled
 def daylight_basis(wavelengths: Any) -> np.ndarray:
     """S0, S1, S2 of the CIE daylight at `wavelengths` (W,), nm, shape (3, W), relative; linear between 10 nm steps.
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating
+from skydome.ground.arrays import Array, constant, floating, settled
 from skydome.ground.tables import columns
 from skydome.ground.units import LUMINOUS_EFFICACY
 
@@ -74,6 +74,7 @@ def cie_1931(wavelengths: Any) -> np.ndarray:
     return np.stack([np.interp(w, table["wavelength_nm"], table[k], left=0, right=0) for k in "xyz"], axis=-1)
 
 
+@settled
 def xyz_weights(wavelengths: Any) -> np.ndarray:
     """Weights (W, 3), float64, such that `radiance @ weights` is XYZ with Y in cd m-2; W >= 2.
 

@@ -5,13 +5,24 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, namespace
+from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
 from skydome.ground.tables import columns
 from skydome.skies.formula_sky import LuminanceFormulaSky
 from skydome.skies.level import levelled, require_one_level
 from skydome.skies.perez_formula import from_perez, view_geometry
 from skydome.skies.sky import Sky
+
+
+@settled
+def letters_of(kind: Any) -> np.ndarray:
+    """The letters a, b, c, d, e and C = 1 - c exp(d pi / 2) of CIE types 1 to 15, shape (6, ...) for `kind` (...,)."""
+    kinds = np.asarray(kind)
+    if kinds.dtype.kind not in "iu" or kinds.min() < 1 or kinds.max() > 15:
+        raise ValueError(f"type must be an integer from 1 to 15, got {kind}")
+    table = columns("cie_s011")
+    a, b, c, d, e = (table[letter][kinds - 1] for letter in "abcde")
+    return np.stack([a, b, c, d, e, 1 - c * np.exp(d * np.pi / 2)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,17 +48,13 @@ class CIE(LuminanceFormulaSky):
     def __post_init__(self) -> None:
         """Validate only."""
         require_one_level("CIE", self.zenith_luminance, self.illuminance)
-        kinds = np.asarray(self.type)
-        if kinds.dtype.kind not in "iu" or kinds.min() < 1 or kinds.max() > 15:
-            raise ValueError(f"type must be an integer from 1 to 15, got {self.type}")
+        letters_of(self.type)
         super().__post_init__()
 
     def coefficients(self) -> Array:
         """R A ... I of the one channel, shape (..., 1, 10); C = 1 - c exp(d pi / 2)."""
-        table = columns("cie_s011")
-        row = np.asarray(self.type) - 1
-        a, b, c, d, e = (constant(table[letter][row], self.sun) for letter in "abcde")
-        constant_term = constant(1 - table["c"][row] * np.exp(table["d"][row] * np.pi / 2), self.sun)
+        letters = constant(letters_of(self.type), self.sun)
+        a, b, c, d, e, constant_term = (letters[k] for k in range(6))
         relative = from_perez(1.0, a, b, c, d, e, constant_term)
         return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
 

@@ -48,7 +48,7 @@ class Daylight(SpectralSky):
     def __getattr__(self, name: str) -> Any:
         """The inner sky's sun, turbidity and direct light, so that `SunDisc.of` finds them."""
         if name in ("sun", "turbidity", "direct_normal_illuminance"):
-            return getattr(object.__getattribute__(self, "sky"), name)
+            return getattr(self.__dict__["sky"], name)
         raise AttributeError(name)
 
     def luminance(self, directions: Array) -> Array:

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, limited, namespace
+from skydome.ground.arrays import Array, constant, floating, limited, namespace, settled
 from skydome.ground.directions import elevation
 from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
@@ -68,6 +68,7 @@ def interpolated_coefficients(form: str, turbidity: Array, albedo: Array, sun_el
     return mixed[..., 0, :, :] * (1 - albedo) + mixed[..., 1, :, :] * albedo
 
 
+@settled
 def band_weights(wavelengths: Any) -> np.ndarray:
     """Linear interpolation from the 11 bands to wavelengths (W,) nm in 320-720, matrix (11, W); ValueError outside."""
     wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))

@@ -121,9 +121,7 @@ class PerezAllWeather(LuminanceFormulaSky):
         highest, level_part = math.sin(math.radians(87.0)), math.cos(math.radians(87.0))
         level = safe_sqrt(sun[..., 0:1] ** 2 + sun[..., 1:2] ** 2)
         north = constant(np.array([0.0, 1.0]), sun)
-        heading = xp.where(
-            level > 0, sun[..., :2] / at_least(level, 1e-300 if sun.dtype == np.float64 else 1e-30), north
-        )
+        heading = xp.where(level > 0, sun[..., :2] / at_least(level, 1e-30), north)
         lowered = xp.concat([heading * level_part, xp.full_like(level, highest)], axis=-1)
         return xp.where(sun[..., 2:3] > highest, lowered, sun)
 

@@ -10,7 +10,17 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.arrays import (
+    Array,
+    at_least,
+    constant,
+    floating,
+    limited,
+    namespace,
+    safe_divide,
+    safe_sqrt,
+    settled,
+)
 from skydome.ground.directions import angle_between, checked_directions, elevation, tangent_frame
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
@@ -42,6 +52,7 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
     return xp.sum(bands * turbidity_weights(turbidity)[..., None], axis=-2)
 
 
+@settled
 def limb_coefficients(wavelengths: Any) -> np.ndarray:
     """Coefficients of the limb polynomial in ascending powers of mu at wavelengths (W,) nm, shape (W, 6)."""
     coefficients: np.ndarray = band_weights(wavelengths).T @ archive("hosek_wilkie_2013")["limb_darkening"]
@@ -54,6 +65,7 @@ def limb_darkening(mu: Array, wavelengths: Any) -> Array:
     return powers @ constant(limb_coefficients(wavelengths).T, mu)
 
 
+@settled
 def limb_mean(wavelengths: Any) -> np.ndarray:
     """Mean of the limb darkening over the disc, weighted as irradiance, (W,): sum of 2 c_k / (k + 2)."""
     mean: np.ndarray = limb_coefficients(wavelengths) @ (2 / (np.arange(6) + 2.0))

@@ -4,7 +4,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_concrete, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, floating, is_compiling, is_concrete, limited, namespace
 from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
@@ -35,6 +35,8 @@ def inside(value: Array, interval: Range) -> Array:
 
 def require(name: str, value: Any, interval: Range) -> None:
     """ValueError in one line unless every element of value lies in the interval; tracers are let through."""
+    if is_compiling():
+        return
     value = floating(numbers_of(value))
     if not is_concrete(value):
         return
