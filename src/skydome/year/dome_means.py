@@ -9,7 +9,7 @@ from skydome.dome.patches import Patches
 from skydome.ground.directions import half_chord_squared
 from skydome.skies.perez_formula import evaluate, from_perez
 
-FINE = 8
+FINE = 6
 """Samples each way in patches near the sun and in the zenith's; 2 x 2 elsewhere."""
 
 NEAR_STEPS = 2.2
@@ -66,26 +66,32 @@ def dome_means(
     if find_spec("numba") is None:
         by_numpy(skies, targets, samples, weights, rows, out)
         return out
+    from skydome.skies.fast_light import shared
     from skydome.year.dome_means_kernel import means_of_many_skies
 
-    coarse = samples.coarse.astype(np.float32)
     first = patches.starts
     over = 1 / np.maximum(samples.coarse[:, first, 2], skies.floor)
-    means_of_many_skies(
-        np.ascontiguousarray(skies.letters.T, np.float32),
-        skies.suns.astype(np.float32),
-        targets.astype(np.float32),
-        np.ascontiguousarray(coarse.transpose(0, 2, 1)),
+    real = np.float32
+    given = (
+        np.ascontiguousarray(skies.letters.T, real),
+        skies.suns.astype(real),
+        targets.astype(real),
+        np.ascontiguousarray(samples.coarse.transpose(0, 2, 1), real),
         np.append(first, patches.count),
-        over.astype(np.float32),
-        np.ascontiguousarray(samples.fine.transpose(0, 2, 1), np.float32),
-        (1 / np.maximum(samples.fine[..., 2], skies.floor)).astype(np.float32),
-        samples.weights.astype(np.float32),
-        np.float32(1 - samples.near),
-        weights.astype(np.float32),
+        over.astype(real),
+        np.ascontiguousarray(samples.fine.transpose(0, 2, 1), real),
+        (1 / np.maximum(samples.fine[..., 2], skies.floor)).astype(real),
+        samples.weights.astype(real),
+        real(1 - samples.near),
+        weights.astype(real),
         rows,
         out,
     )
+
+    def some(start: int, stop: int) -> None:
+        means_of_many_skies(start, stop, *given)
+
+    shared(some, len(targets), len(targets) * patches.count * len(samples.coarse))
     return out
 
 

@@ -1,11 +1,12 @@
 """Means of many Perez skies over the dome's patches, compiled: the fast form of `dome_means`, tested against it.
 
 For each sky: the gradation once a row and sample, the angle to the sun and the indicatrix in one flat loop over the
-patches, the level from the horizontal sum, then one multiplication. Patches near the sun are sampled finely.
+patches, the level from the horizontal sum, then one multiplication. Patches near the sun are sampled finely. It takes a
+range of skies, so that threads share the work.
 """
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 from skydome.skies.perez_kernel import angle, power_less
 
@@ -13,11 +14,11 @@ real = np.float32
 ZERO, HALF, ONE, TWO = real(0.0), real(0.5), real(1.0), real(2.0)
 LEAST = real(-120.0)
 LOG2_E = real(np.log2(np.e))
-CHOICES = {"nogil": True, "fastmath": {"contract", "nsz", "arcp", "reassoc"}, "error_model": "numpy", "parallel": True}
+CHOICES = {"nogil": True, "fastmath": {"contract", "nsz", "arcp", "reassoc"}, "error_model": "numpy"}
 
 
 def compiled(function):  # type: ignore[no-untyped-def]
-    """`function` by Numba for all cores, kept on disk where a folder can be written to."""
+    """`function` by Numba kept on disk where a folder can be written to."""
     try:
         return njit(cache=True, **CHOICES)(function)
     except RuntimeError:  # no folder for the cache
@@ -26,9 +27,9 @@ def compiled(function):  # type: ignore[no-untyped-def]
 
 @compiled
 def means_of_many_skies(  # type: ignore[no-untyped-def]
-    letters, suns, targets, samples, starts, over, fine, fine_over, fine_weights, near, weights, lit, out
+    first, last, letters, suns, targets, samples, starts, over, fine, fine_over, fine_weights, near, weights, lit, out
 ):
-    """Write the patch means of K skies into rows `lit` (K,) of `out` (T, N).
+    """Write the patch means of skies first...last of K into rows `lit` (K,) of `out` (T, N).
 
     `letters` (K, 5), `suns` (K, 3), `targets` (K,): what the means weighted by `weights` (N,) add up to; `samples`
     (S, 3, N) unit vectors, `starts` (R + 1,) first patch of each row, `over` (S, R) 1 / cos t of each row and sample;
@@ -37,11 +38,11 @@ def means_of_many_skies(  # type: ignore[no-untyped-def]
     """
     count, sets, rows, finer = out.shape[1], samples.shape[0], over.shape[1], fine.shape[2]
     share = ONE / real(sets)
-    for k in prange(letters.shape[0]):
+    grade = np.empty(count, np.float32)
+    for k in range(first, last):
         row = out[lit[k]]
         a, b, c, d, e = letters[k, 0], letters[k, 1] * LOG2_E, letters[k, 2], letters[k, 3] * LOG2_E, letters[k, 4]
         sx, sy, sz = suns[k, 0], suns[k, 1], suns[k, 2]
-        grade = np.empty(count, np.float32)
         for s in range(sets):
             x, y, z = samples[s, 0], samples[s, 1], samples[s, 2]
             for r in range(rows):

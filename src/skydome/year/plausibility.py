@@ -33,8 +33,15 @@ def turned(place: Place) -> dict[str, Place]:
     }
 
 
-def warn_of_wrong_place(weather: Weather) -> None:
-    """Warn (UserWarning) where much irradiance falls at night and far less would with the other sign."""
+def warn_of_wrong_place(weather: Weather, lit: np.ndarray | None = None) -> None:
+    """Warn (UserWarning) where much irradiance falls at night and far less would with the other sign.
+
+    `lit` (T,), the share of each interval in which the sun is up, spares the closer look where all is well.
+    """
+    if lit is not None:
+        energy = np.add(*weather.irradiances)
+        if energy[lit == 0].sum() <= SUSPICIOUS * energy.sum():
+            return
     here = share_at_night(weather, weather.place)
     if here <= SUSPICIOUS:
         return

@@ -63,9 +63,9 @@ def year(
         raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
     if not isinstance(weather, Weather):
         weather = read_weather(weather, calendar_year)
-    warn_of_wrong_place(weather)
     cut = patches_named(patches)
     sky = perez_year(weather, "gendaylit" if compat == "gendaylit" else "paper", track)
+    warn_of_wrong_place(weather, sky.share)
     luminance = np.zeros((weather.count, cut.count), np.float32)
     if compat == "gendaymtx":
         luminance = gendaymtx_luminance(weather, cut)

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.patches import patches as patches_named
-from skydome.year.weather import read_weather
+from skydome.year.sun_of_interval import SunTrack
+from skydome.year.weather import Weather, read_weather
 
 HOURS = 8760
 SITES_A_TASK = 5
@@ -97,10 +98,13 @@ def make_sites(store: str, work: list[tuple[int, Site]], choices: dict[str, Any]
     import zarr
 
     group = zarr.open_group(store, mode="r+")
-    return [one_site(group, index, site, choices) for index, site in work]
+    tracks: dict[Any, SunTrack] = {}  # sites of one time zone share the sun's
+    return [one_site(group, index, site, choices, tracks) for index, site in work]
 
 
-def one_site(group: Any, index: int, site: Site, choices: dict[str, Any]) -> Outcome:
+def one_site(
+    group: Any, index: int, site: Site, choices: dict[str, Any], tracks: dict[Any, SunTrack] | None = None
+) -> Outcome:
     """Compute and write one site: its arrays whole, then its state."""
     from skydome.year.series import year
 
@@ -110,7 +114,7 @@ def one_site(group: Any, index: int, site: Site, choices: dict[str, Any]) -> Out
             raise ValueError(f"a year here has {HOURS} hours, got {weather.count}")
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            data = year(weather, **choices)
+            data = year(weather, track=track_of(weather, tracks), **choices)
     except (ValueError, OSError) as error:
         group["state"][index] = FAILED
         return Outcome(index, f"line {site.row} ({site.name}): {error}")
@@ -121,6 +125,15 @@ def one_site(group: Any, index: int, site: Site, choices: dict[str, Any]) -> Out
     group["state"][index] = DONE
     told = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
     return Outcome(index, f"line {site.row} ({site.name}): warning: {told}" if told else "")
+
+
+def track_of(weather: Weather, tracks: dict[Any, SunTrack] | None) -> SunTrack:
+    """The sun over the year of a site, from those known where the days are the same."""
+    days = (weather.start[0].astype("datetime64[D]"), weather.end[-1].astype("datetime64[D]"))
+    tracks = {} if tracks is None else tracks
+    if days not in tracks:
+        tracks[days] = SunTrack.over(weather.start[0], weather.end[-1])
+    return tracks[days]
 
 
 def run_sites(
