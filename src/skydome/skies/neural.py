@@ -6,11 +6,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, floating, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, floating, is_numpy, limited, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
 from skydome.skies.network import Network, conditions, features
 from skydome.skies.network_files import load_network, shipped_network
+from skydome.skies.network_folding import Folded, folded
 from skydome.skies.sky import ColourSky, Sky, SpectralSky
 from skydome.skies.validity import Range
 
@@ -27,14 +28,39 @@ class NeuralForm(Sky):
     source: ClassVar[str] = "Satilmis et al. 2017"
 
     def outputs(self, directions: Array) -> Array:
-        """The network's light toward each direction, (..., outputs); 0 below the horizon and at night."""
+        """The network's light toward each direction, (..., outputs); 0 below the horizon and at night.
+
+        float32 directions under one sky take the fast single precision paths, compiled where Numba is installed.
+        """
         namespace(directions, self.sun)
         directions = checked_directions(directions)
+        if self.is_one_numpy_sky and isinstance(directions, np.ndarray) and directions.dtype == np.float32:
+            return self.single_outputs(directions)
         sun = floating(self.sun, like=directions)
         turbidity = limited(floating(self.turbidity, like=directions), 1.0, 10.0)
         albedo = limited(floating(self.albedo, like=directions), 0.0, 1.0)
         inputs = features(self.network.features, conditions(directions, sun, turbidity, albedo))
         return self.blanked(self.network.light(inputs), directions)
+
+    @property
+    def is_one_numpy_sky(self) -> bool:
+        """Whether the conditions are single numbers by day, in NumPy's hands and inside the ranges."""
+        parts = (self.sun, self.turbidity, self.albedo)
+        if not all(is_numpy(part) for part in parts) or [np.ndim(part) for part in parts] != [1, 0, 0]:
+            return False
+        return bool(np.all(self.is_day)) and (self.check != "nan" or bool(np.all(self.valid)))
+
+    def single_outputs(self, directions: np.ndarray) -> np.ndarray:
+        """`outputs` in float32 by the folded network."""
+        from skydome.skies.fast_network import light_toward
+
+        light = light_toward(self.folded(), directions.reshape(-1, 3))
+        return light.reshape(*directions.shape[:-1], -1)
+
+    def folded(self) -> Folded:
+        """The network under this one sky: what the float32 paths and shaders evaluate."""
+        turbidity, albedo = (as_numpy(floating(value)) for value in (self.turbidity, self.albedo))
+        return folded(self.network, self.sun, np.clip(turbidity, 1.0, 10.0), np.clip(albedo, 0.0, 1.0))
 
     def parameters(self) -> dict[str, Any]:
         """Parameters for provenance; the network by its inputs and size."""
