@@ -7,6 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 from skydome import __version__
+from skydome.cli.animate import animate
 from skydome.cli.convert import convert
 from skydome.cli.evaluate import evaluate
 from skydome.cli.glare import glare
@@ -15,6 +16,7 @@ from skydome.cli.list_models import models
 from skydome.cli.plot import plot
 from skydome.cli.render import light, render
 from skydome.cli.shader import shader
+from skydome.cli.simulate import simulate
 from skydome.cli.sun import sun
 from skydome.cli.terrain import terrain
 from skydome.cli.train import train
@@ -50,7 +52,23 @@ def complain(message: str) -> int:
 app = typer.Typer(
     cls=Commands, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
-for command in (render, light, sun, plot, models, convert, shader, glare, illuminance, evaluate, terrain, year, train):
+for command in (
+    render,
+    light,
+    sun,
+    plot,
+    models,
+    convert,
+    shader,
+    glare,
+    illuminance,
+    evaluate,
+    simulate,
+    terrain,
+    year,
+    train,
+    animate,
+):
     app.command()(command)
 
 

@@ -26,9 +26,9 @@ LEAST_COSINE = 1e-3
 class DiscreteOrdinates(SpectralSky):
     """The sky of an `atmosphere` with all orders of scattering, plane-parallel, by `streams` discrete ordinates.
 
-    Errors: against a path tracer below 0.5 % (docs/models/discrete-ordinates.md); being plane-parallel, within 1 % for
-    suns above about 15 degrees and views above 5 degrees, worse below; no polarisation (up to 7 % at 400 nm in clean
-    air). Needs the extra `rt` (nanodisort).
+    Errors: 0.03 % rms, 0.3 % at most of the flat problem at 16 streams (docs/models/discrete-ordinates.md). Flat layers
+    are too bright low in the sky, in thin air 0.5 % at 20 degrees of elevation and 3.6 % at 10; no polarisation (up to
+    7 % at 400 nm in clean air). Needs the extra `rt` (nanodisort).
 
     >>> import skydome as sd
     >>> sky = DiscreteOrdinates(sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg))

@@ -87,7 +87,7 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             lambda sun, turbidity: HosekWilkie(sun, turbidity, DARK_GREEN),
             {"turbidity": 2.5},
             {"turbidity": (1.0, 10.0)},
-            "too bright by a third to a half: its aerosol is denser than this sky's at any turbidity that fits",
+            "at the turbidity that fits best 40 % too bright away from the sun and too dark round it",
         ),
         EvaluatedModel(
             "plain-air",

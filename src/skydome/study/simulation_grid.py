@@ -152,7 +152,8 @@ def simulate(
     """Fill a Zarr store with a grid's light; the count of pieces computed now.
 
     What is there is not computed again. `workers` 0 is this process alone, more are a cluster on this machine;
-    `scheduler` is the address of a Dask scheduler whose workers see the same files. `progress(done, of)` is called after each piece.
+    `scheduler` is the address of a Dask scheduler whose workers see the same files. `progress(done, of)` is called
+    after each piece.
     """
     path = Path(path)
     prepared(grid, path)
