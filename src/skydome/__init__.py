@@ -36,6 +36,7 @@ HOME = {
     "skies.sun_disc": "SunDisc",
     "skies.preetham_sun": "PreethamSun",
     "skies.neural": "NeuralSky NeuralSpectralSky",
+    "skies.captured": "CapturedSky",
     "skies.series": "luminance_series",
     "air.atmosphere": "Atmosphere",
     "skies.discrete_ordinates": "DiscreteOrdinates",
