@@ -38,7 +38,7 @@ def render(
     or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the
     texels that it covers, its energy kept. TypeError for a sky without colour; ValueError for a height that
     the projection cannot take, or for a sky of more than one condition. `out` (rows, columns, 3) is overwritten and
-    becomes the map's pixels: no new memory for the next frame. float32 maps of 2 million sky values or more take
+    becomes the map's pixels: no new memory for the next frame. float32 maps of a million sky values or more take
     compiled kernels where Numba is installed. Memory: the map and about 25 MB.
 
     >>> import skydome as sd

@@ -1,8 +1,9 @@
 """The choice between the readable formula and its compiled float32 form, and the work shared among threads.
 
 float64 asks for the formula itself, in NumPy. float32 directions, or a float32 `out`, ask for float32 light: jobs of
-more than `LEAST_VALUES` numbers then take the kernels, if Numba is installed; smaller ones the formula, rounded at the
-end, so that they never wait for a compiler (about 3 s once on a machine, 0.5 s once in a process).
+`LEAST_VALUES` numbers or more (a quarter of them toward any direction) take the kernels, if Numba is installed; smaller
+ones the formula, rounded at the end, so that they never wait for a compiler (about 3 s once on a machine, 0.8 s once in
+a process).
 """
 
 import os
@@ -16,7 +17,9 @@ from skydome.skies.perez_formula import A, B, C, D, E, F, G, H, I, R, evaluate, 
 from skydome.skies.quantity import Quantity
 
 LEAST_VALUES = 1 << 20
-"""Fewer numbers of light than this take NumPy."""
+"""Fewer numbers of light than this, on the rows of a map, take NumPy."""
+PRICE_OF_DIRECTIONS = 4
+"""What a number toward any direction costs in NumPy, in numbers on the rows of a map (at least)."""
 VALUES_PER_PIECE = 1 << 17
 MOST_ODD = 0.01
 """Share of skies, beyond the kernels' range, that the formula makes up for; with more the formula does all."""

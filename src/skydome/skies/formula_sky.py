@@ -9,7 +9,7 @@ import numpy as np
 from skydome.ground.arrays import Array, floating, is_numpy, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.skies.fast_light import Light, checked_out, chosen, many_skies
+from skydome.skies.fast_light import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
 from skydome.skies.perez_formula import COSINE_FLOOR, evaluate, view_geometry
 from skydome.skies.quantity import Quantity
 from skydome.skies.sky import ColourSky, Sky
@@ -75,7 +75,7 @@ class FormulaSky(Sky):
         wanted = directions.dtype if out is None else getattr(out, "dtype", None)
         shape = self.light_shape(directions, coefficients, quantity)
         out = out if out is None else checked_out(out, shape)
-        kernel = chosen(int(np.prod(shape)), coefficients) if wanted == np.float32 else None
+        kernel = chosen(PRICE_OF_DIRECTIONS * int(np.prod(shape)), coefficients) if wanted == np.float32 else None
         if kernel is not None and self.is_outer(directions, coefficients):
             result = out if out is not None and out.flags.c_contiguous else np.empty(shape, np.float32)
             many_skies(kernel, self.numbers(recipe), directions.reshape(-1, 3), result)

@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import checked_directions
-from skydome.skies.fast_light import checked_out, chosen, formula_light, many_skies
+from skydome.skies.fast_light import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
 from skydome.skies.formula_sky import FormulaSky, Recipe
 from skydome.skies.sky import Sky
 
@@ -22,7 +22,7 @@ def light_series(sky: FormulaSky, recipe: Recipe, directions: Any, out: np.ndarr
     shape = (len(light.states), len(directions), light.size)
     out = np.empty(shape, np.float32) if out is None else checked_out(out, shape)
     plain = out.dtype == np.float32 and out.flags.c_contiguous
-    kernel = chosen(out.size, light.coefficients) if plain else None
+    kernel = chosen(PRICE_OF_DIRECTIONS * out.size, light.coefficients) if plain else None
     if kernel is not None:
         many_skies(kernel, light, directions, out)
         return out
