@@ -15,7 +15,8 @@ def main(measured, here=Path(__file__).parent):
         command = [sys.executable, "-m", "skydome", "evaluate", measured, "--models", MODELS, "--figures", folder]
         subprocess.run([*command, "--table", str(here / "evaluation.csv")], check=True)
         for path in Path(folder).glob("*.png"):
-            Image.open(path).convert("RGB").quantize(256, kmeans=3, dither=Image.Dither.NONE).save(here / path.name, optimize=True)
+            small = Image.open(path).convert("RGB").quantize(256, kmeans=3, dither=Image.Dither.NONE)
+            small.save(here / path.name, optimize=True)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at,
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
+from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum
@@ -108,20 +109,20 @@ class Atmosphere:
         """True where no constituent's phase function changes with wavelength."""
         return not any(isinstance(part.phase_law, Haze) for part in self.constituents)
 
-    def depth(self, wavelengths: Any) -> np.ndarray:
+    def depth(self, wavelengths: Any) -> Array:
         """Vertical optical depth of everything above the ground, (W,)."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
 
-    def albedo_at(self, wavelengths: Any) -> np.ndarray:
+    def albedo_at(self, wavelengths: Any) -> Array:
         """The ground's albedo, (W,)."""
         return at(self.albedo, wavelengths)
 
-    def sun_at(self, wavelengths: Any) -> np.ndarray:
+    def sun_at(self, wavelengths: Any) -> Array:
         """Irradiance of the sun above the air on a plane that faces it, W m-2 nm-1, (W,)."""
         light = solar_irradiance(wavelengths) if self.sunlight is None else self.sunlight.at(wavelengths)
         return light * self.sun_scale
 
-    def transmittance(self, cos_zenith: Any, wavelengths: Any) -> np.ndarray:
+    def transmittance(self, cos_zenith: Any, wavelengths: Any) -> Array:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
 
         `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5.
@@ -133,7 +134,7 @@ class Atmosphere:
         result: np.ndarray = np.exp(-self.slant_depths(cos_zenith, wavelengths))
         return result
 
-    def slant_depths(self, cos_zenith: Any, wavelengths: Any) -> np.ndarray:
+    def slant_depths(self, cos_zenith: Any, wavelengths: Any) -> Array:
         """Optical depth of a straight ray from the ground to space, (..., W)."""
         t, w = gauss_legendre(200)
         heights, steps = self.height * t**3, self.height * 3 * t * t * w

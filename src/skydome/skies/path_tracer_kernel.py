@@ -34,7 +34,7 @@ def jit_parallel(function: Any) -> Any:
 
 
 @jit
-def mixed(x: np.uint64) -> np.uint64:
+def mixed(x: Any) -> Any:
     """64 bits stirred (Steele et al. 2014, splitmix64)."""
     x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
@@ -42,13 +42,13 @@ def mixed(x: np.uint64) -> np.uint64:
 
 
 @jit
-def uniform(key: np.uint64, place: int) -> float:
+def uniform(key: np.uint64, place: int) -> Any:
     """A number in (0, 1) for a place in a path."""
     return (float(mixed(key + GOLDEN * np.uint64(place + 1)) >> np.uint64(11)) + 0.5) * (1.0 / 9007199254740992.0)
 
 
 @jit
-def scaled_erfc(z: float) -> float:
+def scaled_erfc(z: float) -> Any:
     """exp(z^2) erfc(z) for z >= 0, within 1.2e-7 (Numerical Recipes, erfcc)."""
     t = 1.0 / (1.0 + 0.5 * z)
     p = -0.82215223 + t * 0.17087277
@@ -58,14 +58,14 @@ def scaled_erfc(z: float) -> float:
 
 
 @jit
-def chapman(x: float, cosine: float) -> float:
+def chapman(x: float, cosine: float) -> Any:
     """Slant over vertical column of an exponential shell of radius x scale heights, cosine >= 0 (Kocifaj 1996)."""
     tail = scaled_erfc(math.sqrt(0.5 * x) * cosine)
     return 0.5 * (cosine + math.sqrt(0.5 * math.pi * x) * tail * (1.0 / x + 2.0 - cosine * cosine))
 
 
 @jit
-def column_out(k: int, r: float, cosine: float, air: Any) -> float:
+def column_out(k: int, r: float, cosine: float, air: Any) -> Any:
     """Column of constituent k from radius r out to space at a cosine >= 0, in vertical columns."""
     radius, scales, tables, _, top = air[0], air[1], air[2], air[3], air[4]
     height = r - radius
@@ -83,7 +83,7 @@ def column_out(k: int, r: float, cosine: float, air: Any) -> float:
 
 
 @jit
-def density(k: int, height: float, air: Any) -> float:
+def density(k: int, height: float, air: Any) -> Any:
     """Density of constituent k, m-1."""
     scales, densities, top = air[1], air[3], air[4]
     if scales[k] > 0:
@@ -96,7 +96,7 @@ def density(k: int, height: float, air: Any) -> float:
 
 
 @jit
-def fall(r: float, cosine: float, to_r: float, to_cosine: float, down: bool, k: int, air: Any) -> float:
+def fall(r: float, cosine: float, to_r: float, to_cosine: float, down: bool, k: int, air: Any) -> Any:
     """Column of k on a straight way from (r, cosine) to (to_r, to_cosine) that only rises, or only falls."""
     if down:
         return column_out(k, to_r, -to_cosine, air) - column_out(k, r, -cosine, air)
@@ -104,7 +104,7 @@ def fall(r: float, cosine: float, to_r: float, to_cosine: float, down: bool, k: 
 
 
 @jit
-def weighted_out(r: float, cosine: float, depth: np.ndarray, air: Any) -> float:
+def weighted_out(r: float, cosine: float, depth: np.ndarray, air: Any) -> Any:
     """Optical depth out to space, for constituents of vertical optical depths `depth`."""
     total = 0.0
     for k in range(depth.shape[0]):
@@ -114,7 +114,7 @@ def weighted_out(r: float, cosine: float, depth: np.ndarray, air: Any) -> float:
 
 
 @jit
-def flight(r: float, cosine: float, goal: float, end: float, depth: np.ndarray, air: Any) -> float:
+def flight(r: float, cosine: float, goal: float, end: float, depth: np.ndarray, air: Any) -> Any:
     """Distance at which the optical depth is `goal`, on a way that only rises or falls and ends at `end`.
 
     Newton in the logarithm of the optical depth out to space, which is nearly straight; bracketed.
@@ -152,7 +152,7 @@ def flight(r: float, cosine: float, goal: float, end: float, depth: np.ndarray, 
 
 
 @jit
-def phase_value(k: int, cosine: float, laws: Any) -> float:
+def phase_value(k: int, cosine: float, laws: Any) -> Any:
     """Phase function of constituent k, sr-1: Rayleigh's, Henyey-Greenstein lobes, or a table over the angle."""
     kinds, gamma, lobes, shares, values = laws[0], laws[1], laws[2], laws[3], laws[4]
     if kinds[k] == 0:
@@ -172,7 +172,7 @@ def phase_value(k: int, cosine: float, laws: Any) -> float:
 
 
 @jit
-def phase_cosine(k: int, u: float, laws: Any) -> float:
+def phase_cosine(k: int, u: float, laws: Any) -> Any:
     """Cosine of a scattering angle drawn from the phase function of constituent k by one number u in (0, 1)."""
     kinds, gamma, lobes, shares, _, inverse = laws
     if kinds[k] == 0:

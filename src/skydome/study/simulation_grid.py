@@ -1,6 +1,6 @@
 """A whole grid of simulated skies in a Zarr store: independent pieces, computed by Dask, each written once.
 
-A piece is one turbidity and albedo: all suns, directions, wavelengths. It is written whole under its own name and only
+A piece is one turbidity and albedo: all suns, views and wavelengths. It is written whole under its own name, and only
 then counts as there, so that a killed worker loses its own piece at most and a restart computes what is missing.
 """
 
