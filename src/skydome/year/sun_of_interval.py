@@ -84,18 +84,28 @@ def lit_sun(weather: Weather, track: SunTrack | None = None) -> LitSun:
     track = track or SunTrack.over(weather.start[0], weather.end[-1])
     start, end = (edge.astype("datetime64[s]").astype(np.float64) for edge in (weather.start, weather.end))
     middle = (start + end) / 2
-    up = [track.directions(weather.place, t)[..., 2] > 0 for t in (start, middle, end)]
-    early, late = (
-        crossings(track, weather.place, start, middle, up[:2]),
-        crossings(track, weather.place, middle, end, up[1:]),
-    )
+    at_start, at_middle = (track.directions(weather.place, t) for t in (start, middle))
+    at_end = next_or_own(track, weather.place, start, end, at_start)
+    up = [toward[:, 2] > 0 for toward in (at_start, at_middle, at_end)]
+    early = crossings(track, weather.place, start, middle, up[:2])
+    late = crossings(track, weather.place, middle, end, up[1:])
     first = np.where(up[0], start, np.where(up[1], early, late))
     last = np.where(up[2], end, np.where(up[1], late, early))
     seen = up[0] | up[1] | up[2]
     seconds = np.where(seen, (first + last) / 2, middle)
+    moved = np.flatnonzero(seconds != middle)
+    at_middle[moved] = track.directions(weather.place, seconds[moved])
     share = np.where(end > start, (last - first) / np.maximum(end - start, 1.0), 1.0)
     times = np.rint(seconds).astype(np.int64).astype("datetime64[s]")
-    return LitSun(track.directions(weather.place, seconds), times, np.where(seen, share, 0.0))
+    return LitSun(at_middle, times, np.where(seen, share, 0.0))
+
+
+def next_or_own(track: SunTrack, place: Place, start: np.ndarray, end: np.ndarray, at_start: np.ndarray) -> np.ndarray:
+    """Directions at the ends (T, 3): those of the next start where intervals meet, as they mostly do."""
+    at_end = np.roll(at_start, -1, axis=0)
+    apart = np.flatnonzero(np.append(end[:-1] != start[1:], True))
+    at_end[apart] = track.directions(place, end[apart])
+    return at_end
 
 
 def crossings(track: SunTrack, place: Place, left: np.ndarray, right: np.ndarray, up: list[np.ndarray]) -> np.ndarray:
