@@ -43,8 +43,12 @@ def test_perez_keeps_the_given_irradiance(elevation, direct, diffuse):
     directions, weights = hemisphere(300, 400)
     light = sky.broadband_radiance(directions)
     assert (light >= 0).all()
-    if light.any():
-        assert float(np.sum(light * directions[:, 2] * weights)) == pytest.approx(diffuse, rel=4e-4)
+    if not light.any():
+        return
+    if not light.all():  # the edge of a partly black sky asks the rule that checks for more nodes
+        directions, weights = hemisphere(1000, 1000)
+        light = sky.broadband_radiance(directions)
+    assert float(np.sum(light * directions[:, 2] * weights)) == pytest.approx(diffuse, rel=4e-4)
 
 
 def test_perez_level_against_a_dense_rule():
