@@ -1,4 +1,4 @@
-"""Networks: files, bad input, float32 and compiled paths, torch and JAX, and the shipped ones against their teachers."""
+"""Networks: files, bad input, float32 and compiled paths, torch and JAX; shipped ones against their teachers."""
 
 from dataclasses import replace
 

@@ -135,6 +135,17 @@ class Model:
         return {"zenith_luminance": given["illuminance"] / float(sd.illuminance(self.cls()(**unit)))}
 
 
+@dataclass(frozen=True)
+class NeuralModel(Model):
+    """A model whose `fixed["network"]` names a trained network that the package carries."""
+
+    def parameters(self, options: SkyOptions) -> dict[str, Any]:
+        """The class's parameters, with the network itself."""
+        from skydome.skies.neural import read_network
+
+        return super().parameters(options) | {"network": read_network(self.fixed["network"])}
+
+
 def letters(model: str, text: str | None) -> tuple[float, ...]:
     """Perez's five letters."""
     if text is None:
@@ -148,6 +159,17 @@ MODELS: tuple[Model, ...] = (
     Model("hosek-wilkie", "HosekWilkie", ("turbidity", "albedo"), own_sun=True),
     Model("hosek-wilkie-rgb", "HosekWilkieRGB", ("turbidity", "albedo"), own_sun=True),
     Model("preetham", "Preetham", ("turbidity",), own_sun=True),
+    *(
+        NeuralModel(f"neural-{network}", "NeuralSky", ("turbidity",), fixed={"network": network}, own_sun=True)
+        for network in ("preetham", "hosek-wilkie", "hosek-wilkie-compact", "hosek-wilkie-deep")
+    ),
+    NeuralModel(
+        "neural-hosek-wilkie-spectral",
+        "NeuralSpectralSky",
+        ("turbidity", "albedo"),
+        fixed={"network": "hosek-wilkie-spectral"},
+        own_sun=True,
+    ),
     Model("perez-all-weather", "PerezAllWeather", PEREZ_TAKES, own_sun=True),
     Model("perez", "Perez", ("letters",), levelled=True),
     *(

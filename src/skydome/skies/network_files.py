@@ -17,7 +17,7 @@ MOST_BYTES = 16 * 1024**2
 
 def save_network(path: str | PathLike[str], network: Network, provenance: dict[str, Any]) -> None:
     """Write a network to a .safetensors file, atomically, with how it was made as text in the header."""
-    from safetensors.numpy import save_file
+    from safetensors.numpy import save
 
     tensors = {}
     for k, (weights, biases) in enumerate(network.layers):
@@ -31,7 +31,7 @@ def save_network(path: str | PathLike[str], network: Network, provenance: dict[s
         "provenance": json.dumps(provenance),
     }
     with appearing(path) as beside:
-        save_file({name: np.ascontiguousarray(value) for name, value in tensors.items()}, str(beside), about)
+        beside.write_bytes(save({name: np.ascontiguousarray(value) for name, value in tensors.items()}, about))
 
 
 def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:
