@@ -125,3 +125,20 @@ def test_cie_skies_against_rtrace(option, model, tmp_path):
     theirs = np.array([[float(word) for word in line.split()] for line in out.decode().splitlines()])[:, 0]
     ours = model(sun, zenith_luminance=float(zenith.group(1))).luminance(views)
     np.testing.assert_allclose(ours, theirs, rtol=2e-3)
+
+
+@pytest.mark.parametrize(("altitude", "direct", "diffuse"), CONDITIONS)
+def test_perez_against_perezsky(altitude, direct, diffuse):
+    """Shape against perezsky's own, at its air mass (Kasten 1966) and without its dark-sky guard: our "paper"."""
+    perezsky = pytest.importorskip("perezsky")
+    options = {"solar_constant": 1367.0, "airmass_model": "kasten1966", "clamp": False, "brightness_correction": False}
+    letters = perezsky.perez_parameters(direct, diffuse, 90.0 - altitude, **options)
+    rng = np.random.default_rng(altitude)
+    sun = sd.direction(0.5, np.radians(altitude))
+    views = sd.direction(rng.uniform(0, 2 * np.pi, 40), np.radians(rng.uniform(1, 89.9, 40)))
+    zenith, angle = np.degrees(np.arccos(views[:, 2])), np.degrees(sd.angle_between(views, sun))
+    theirs = np.ravel(perezsky.relative_luminance(letters, zenith, angle))
+    ours = sd.PerezAllWeather(sun, direct, diffuse).luminance(views)
+    positive = theirs > 0.02 * theirs.max()
+    ratio = ours[positive] / theirs[positive]
+    np.testing.assert_allclose(ratio / np.median(ratio), 1.0, atol=1e-4)
