@@ -60,7 +60,7 @@ BACKPROPAGATION_RECIPE = Recipe(lesson=published_lesson, method=Backpropagation(
 AS_PUBLISHED_DATA = Recipe(lesson=published_lesson)
 PUBLISHED_RECIPE = Recipe()
 COMPACT_RECIPE = Recipe(
-    COMPACT, (24,), ExponentialOutput(), MixedLoss(), starts=16, rounds=((6, 30), (2, 80)), steps=250,
+    COMPACT, (24,), ExponentialOutput(), MixedLoss(0.25), starts=16, rounds=((6, 30), (2, 80)), steps=250,
     most_samples=24_000, dtype=np.float16, lesson=rich_lesson,
 )  # fmt: skip
 DEEP_RECIPE = Recipe(
