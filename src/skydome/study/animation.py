@@ -12,10 +12,16 @@ from skydome.skies.network import Network
 from skydome.study.captures import Capture
 from skydome.study.interpolation import day_light
 
-BLEND = 2.0 * np.pi / 180
-"""Elevation over which the network's sky fades into the captures at the horizon, and a setting sun into nothing."""
+BLEND = np.radians(8.0)
+"""Elevation below which the network's sky gives way to the captures' own: it has seen little of the horizon's haze."""
+SETTING = np.radians(1.0)
+"""Elevation over which a setting sun's disc fades."""
 SUN_WIDTH = 0.6
 """Standard deviation of the sun's spot, texels (at least its own radius)."""
+MOST_MOVED = 0.7
+"""Log: the most by which the network may change a texel against the fade of its captures."""
+SMOOTH = np.radians(1.5)
+"""Standard deviation to which the network's change is smoothed: its neurons may be sharper than any glow."""
 LEAST = 1e-6
 FLOOR = 0.01
 """Share of the day's mean light below which the network has no say: there captures are faded as they are."""
@@ -31,6 +37,8 @@ class Animation:
 
     captures: Sequence[Capture]
     network: Network
+    _grid: np.ndarray = field(init=False, repr=False)
+    _say: np.ndarray = field(init=False, repr=False)
     _parts: list[tuple[np.ndarray, np.ndarray]] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -41,8 +49,13 @@ class Animation:
         layouts = {capture.picture.projection for capture in self.captures}
         if len(shapes) > 1 or len(layouts) > 1:
             raise ValueError(f"all captures must have one size and layout, got {sorted(shapes)} and {layouts}")
-        sky = common_sky(self.captures, self.upper(), self.height)
-        object.__setattr__(self, "_parts", [self.taken_apart(capture, sky) for capture in self.captures])
+        fade = np.clip(elevation(self.upper()) / np.float32(BLEND), 0, 1)
+        say = (common_sky(self.captures, self.upper(), self.height) * fade)[..., None].astype(np.float32)
+        object.__setattr__(self, "_say", say)
+        coarse = self.height // self.step
+        grid = self.captures[0].picture.projection.directions(coarse, slice(0, coarse // 2), np.float32)
+        object.__setattr__(self, "_grid", grid)
+        object.__setattr__(self, "_parts", [self.taken_apart(capture) for capture in self.captures])
 
     @property
     def height(self) -> int:
@@ -62,20 +75,20 @@ class Animation:
         rows = slice(0, self.height // 2)
         return self.captures[0].picture.projection.directions(self.height, rows, np.float32)
 
-    def taken_apart(self, capture: Capture, sky: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """How much of each texel is the network's (r, W, 1), and the log of the capture over that power of it."""
-        toward = self.upper()
-        fade = np.clip(elevation(toward) / np.float32(BLEND), 0, 1)
-        network = (sky * fade)[..., None].astype(np.float32)
+    def taken_apart(self, capture: Capture) -> tuple[np.ndarray, np.ndarray]:
+        """Logs of the network's light at the capture's sun, on its grid, and of the capture (H, W, 3)."""
         light = np.log(np.maximum(capture.calm.pixels * np.float32(capture.picture.white_luminance), LEAST))
-        rest = light.astype(np.float32)
-        rest[: len(toward)] -= network * self.log_network(toward, capture.sun)
-        return network, rest
+        return self.log_network(capture.sun), light.astype(np.float32)
 
-    def log_network(self, toward: np.ndarray, sun: np.ndarray) -> np.ndarray:
-        """Log of the network's light (r, W, 3), float32."""
+    @property
+    def step(self) -> int:
+        """Texels to a point of the network's grid: 2 for maps of 128 rows and more, where halves are even."""
+        return 2 if self.height >= 128 and self.height % 4 == 0 else 1
+
+    def log_network(self, sun: np.ndarray) -> np.ndarray:
+        """Log of the network's light above the horizon on its grid (r, w, 3), float32."""
         above = sun if sun[2] > 0 else direction(azimuth(sun), 1e-3)
-        light = day_light(self.network.stored_as(np.float32), toward, above.astype(np.float32))
+        light = day_light(self.network.stored_as(np.float32), self._grid, above.astype(np.float32))
         return np.asarray(np.log(np.hypot(light, np.float32(FLOOR * self.network.scale))))
 
     def sun_at(self, time: float) -> np.ndarray:
@@ -94,10 +107,10 @@ class Animation:
             raise ValueError(f"time must lie in [{times[0]:g}, {times[-1]:g}] s after the first capture, got {time:g}")
         later = int(np.clip(np.searchsorted(times, time), 1, len(times) - 1))
         share = np.float32((time - times[later - 1]) / (times[later] - times[later - 1]))
-        (network_a, rest_a), (network_b, rest_b) = self._parts[later - 1], self._parts[later]
-        sun, toward = self.sun_at(time), self.upper()
-        light = rest_a + share * (rest_b - rest_a)
-        light[: len(toward)] += (network_a + share * (network_b - network_a)) * self.log_network(toward, sun)
+        (network_a, light_a), (network_b, light_b) = self._parts[later - 1], self._parts[later]
+        sun = self.sun_at(time)
+        light = light_a + share * (light_b - light_a)
+        light[: self.height // 2] += self._say * self.moved(sun, network_a + share * (network_b - network_a))
         pixels = np.exp(light, out=light)
         before, after = self.captures[later - 1], self.captures[later]
         self.lay_sun(pixels, sun, (1 - share) * before.sunlight + share * after.sunlight)
@@ -106,6 +119,15 @@ class Animation:
             stamp = self.captures[0].time + np.timedelta64(round(time * 1e6), "us")  # type: ignore[operator]
             notes["time"] = stamp
         return EnvironmentMap(pixels, before.picture.projection, before.picture.space, notes)
+
+    def moved(self, sun: np.ndarray, faded: np.ndarray) -> np.ndarray:
+        """What the sun's motion changes, log (r, W, 3): the network now over its own fade, held and made smooth."""
+        from scipy.ndimage import gaussian_filter
+
+        change = np.float32(MOST_MOVED) * np.tanh((self.log_network(sun) - faded) / np.float32(MOST_MOVED))
+        width = SMOOTH / np.pi * self.height / self.step
+        smooth = gaussian_filter(change, (width, width, 0), mode=("nearest", "wrap", "nearest"), truncate=2.5)
+        return smooth if self.step == 1 else doubled(smooth)
 
     def lay_sun(self, pixels: np.ndarray, sun: np.ndarray, sunlight: np.ndarray) -> None:
         """Add the sun's light (3,), cd m-2 sr, as a round spot about the sun, its energy exact; in place."""
@@ -123,10 +145,11 @@ class Animation:
         toward = projection.toward(i[:, None] + 0.5, j[None, :] + 0.5, self.height)
         spot = np.exp(-((angle_between(toward, sun) / width) ** 2) / 2)
         flux = spot * np.broadcast_to(projection.solid_angles(self.height), (rows, columns))[i[:, None], j]
-        risen = float(np.clip(elevation(sun) / BLEND, 0, 1))
+        risen = float(np.clip(elevation(sun) / SETTING, 0, 1))
         total = flux.sum()
         if total > 0:
-            pixels[i[:, None], j] += (spot / total)[..., None] * (sunlight * risen)
+            open_sky = self._say[i[:, None], j] > 0  # a house hides the sun
+            pixels[i[:, None], j] += (spot / total)[..., None] * (sunlight * risen) * open_sky
 
 
 def common_sky(captures: Sequence[Capture], upper: np.ndarray, height: int) -> np.ndarray:
@@ -142,6 +165,15 @@ def common_sky(captures: Sequence[Capture], upper: np.ndarray, height: int) -> n
         voters += says
     sky: np.ndarray = 2 * votes >= voters
     return sky
+
+
+def doubled(values: np.ndarray) -> np.ndarray:
+    """Values (r, w, C) at twice the rows and columns, blended between texel centres, around the seam."""
+    up, down = np.concatenate([values[:1], values[:-1]]), np.concatenate([values[1:], values[-1:]])
+    tall = np.stack([0.75 * values + 0.25 * up, 0.75 * values + 0.25 * down], axis=1).reshape(-1, *values.shape[1:])
+    left, right = np.roll(tall, 1, axis=1), np.roll(tall, -1, axis=1)
+    wide = np.stack([0.75 * tall + 0.25 * left, 0.75 * tall + 0.25 * right], axis=2)
+    return wide.reshape(tall.shape[0], -1, values.shape[-1])
 
 
 def change(before: np.ndarray, after: np.ndarray) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 from skydome.ground.directions import angle_between
 from skydome.skies.network import ExponentialOutput, Network, conditions, features
 from skydome.skies.neural import NeuralSky
-from skydome.study.captures import SUN_RADIUS, Capture
+from skydome.study.captures import Capture
 from skydome.study.interpolation import Fade, known_between
 from skydome.study.levenberg_marquardt import Samples
 from skydome.study.network_losses import MixedLoss
@@ -16,6 +16,7 @@ from skydome.study.network_method import Progress
 from skydome.study.neural_recipes import Recipe
 from skydome.study.neural_training import train_on
 from skydome.study.scans import Scan
+from skydome.study.sun_finding import sun_pixels
 
 DAY_RECIPE = Recipe(starts=6, start_steps=10, rounds=(), steps=30)
 """The published network, stopped early: a day's dozen suns are soon learned by heart."""
@@ -43,7 +44,7 @@ def scan_of(capture: Capture, count: int = SAMPLES, seed: int = 0) -> Scan:
     lit = (picture.pixels.min(axis=-1) > 0).reshape(-1)
     angle = angle_between(toward, capture.sun).reshape(-1)
     sky = capture.sky.reshape(-1) & lit
-    about = lit & (angle < ABOUT_SUN) & (sky | ((angle < SUN_RADIUS) & (toward[..., 2].reshape(-1) > 0)))
+    about = lit & (angle < ABOUT_SUN) & (sky | sun_pixels(capture.picture, capture.sun).reshape(-1))
     if not sky.any():
         raise ValueError(f"{capture.name}: no texel of the map is sky; check the mask and the horizon")
     chosen = np.concatenate([drawn(sky, sizes, count, rng), drawn(about, sizes, count // 4, rng)])
