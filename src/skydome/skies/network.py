@@ -132,7 +132,7 @@ class Network:
 
 
 def conditions(directions: Array, sun: Array, turbidity: Array, albedo: Array) -> SimpleNamespace:
-    """What features are made of, each (...,): the view turned so that the sun's azimuth is pi (eq. 10), and the rest."""
+    """What features are made of, each (...,): the view with the sun's azimuth at pi (eq. 10), and the rest."""
     xp = namespace(directions, sun)
     east, north, up = directions[..., 0], directions[..., 1], at_least(directions[..., 2], 0.0)
     level = safe_sqrt(sun[..., 0] ** 2 + sun[..., 1] ** 2)

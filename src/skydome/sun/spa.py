@@ -57,7 +57,8 @@ def positions(utc: np.ndarray, place: Any, pressure: float, temperature: float) 
 def distances(utc: np.ndarray) -> np.ndarray:
     """Distance of the sun, AU, at instants (N,)."""
     table = algorithm().solar_position(seconds(utc), 0.0, 0.0, 0.0, 1013.25, 12.0, delta_t(utc), 0.0, esd=True)
-    return np.asarray(table)[0]
+    distance: np.ndarray = np.asarray(table)[0]
+    return distance
 
 
 def seconds(utc: np.ndarray) -> np.ndarray:
