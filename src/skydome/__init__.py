@@ -43,6 +43,8 @@ HOME = {
     "skies.scattering_sky": "Nishita93 Nishita96",
     "skies.path_traced": "PathTraced",
     "skies.refitted": "Refitted",
+    "skies.physical": "physical_sky",
+    "skies.held_sky": "HeldSky held",
     "maps.environment_map": "EnvironmentMap",
     "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
     "maps.targets": "target",

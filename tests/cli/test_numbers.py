@@ -68,6 +68,7 @@ def test_refraction_lifts_a_sun_that_has_just_set(facts, refused):
 
 
 EXTRA = {
+    "path-traced": ("--paths", 16),
     "perez-all-weather": ("--dni", 700, "--dhi", 100),
     "perez": ("--letters", "-1,-0.32,10,-3,0.45", "--illuminance", 12000),
 }
@@ -77,6 +78,7 @@ NAMES = [
     "perez",
     *(f"cie-{kind}" for kind in range(1, 16)),
     "cie-clear", "cie-intermediate", "moon-spencer", "uniform",
+    "discrete-ordinates", "nishita-1993", "nishita-1996", "path-traced",
 ]  # fmt: skip
 
 
@@ -89,7 +91,7 @@ def test_every_model_gives_the_light_of_a_day(facts, when, name):
     assert light["global"] == pytest.approx(light["diffuse"] + light["direct"])
     overcast = name in ("moon-spencer", "uniform", *(f"cie-{kind}" for kind in range(1, 6)))
     assert (light["direct"] == 0) == (overcast or name == "perez")
-    coloured = name.startswith(("hosek", "preetham", "neural"))
+    coloured = name.startswith(("discrete", "nishita", "path", "hosek", "preetham", "neural"))
     assert any("D65" in note for note in told["notes"]) != coloured
 
 

@@ -3,14 +3,14 @@
 from dataclasses import MISSING, fields
 from typing import Any
 
-from skydome.cli.models import MODELS, Model
+from skydome.cli.models import DEFAULTS, Model, all_models
 from skydome.cli.options import AsJson, SkyOptions, option_name
 from skydome.cli.printing import print_json
 
 
 def models(as_json: AsJson = False) -> None:
     """List the sky models: parameters with their ranges, what they know, and their source."""
-    facts = [model_facts(model) for model in MODELS]
+    facts = [model_facts(model) for model in all_models()]
     if as_json:
         print_json(facts)
     else:
@@ -20,13 +20,12 @@ def models(as_json: AsJson = False) -> None:
 def model_facts(model: Model) -> dict[str, Any]:
     """A model's name, class, rung, parameters and source."""
     kind = model.cls()
+    known = {item.name for item in fields(kind)}
     return {
         "name": model.name,
         "class": kind.__name__,
         "rung": rung(kind),
-        "parameters": [
-            parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"
-        ],
+        "parameters": taken_facts(model) if "atmosphere" in known else own_facts(kind),
         "fixed": model.fixed,
         "needs_level": model.levelled,
         "source": kind.source,
@@ -41,6 +40,20 @@ def rung(kind: type) -> str:
     if issubclass(kind, sd.SpectralSky):
         return "spectral"
     return "colour" if issubclass(kind, sd.ColourSky) else "luminance"
+
+
+def own_facts(kind: Any) -> list[dict[str, Any]]:
+    """The parameters that the class has."""
+    return [parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"]
+
+
+def taken_facts(model: Model) -> list[dict[str, Any]]:
+    """The parameters of a model that makes its class's from the options that it takes: the air's."""
+    sun = {"name": "sun", "option": "--sun", "required": True}
+    return [sun] + [
+        {"name": name, "option": option_name(name), "required": False, "default": DEFAULTS.get(name)}
+        for name in model.takes
+    ]
 
 
 def parameter_facts(item: Any, interval: Any) -> dict[str, Any]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 DEFAULTS = {"turbidity": 3.0, "albedo": 0.2}
 LEVELS = ("zenith_luminance", "illuminance")
+PATHS = ("until", "paths")
 
 Level = Callable[[Any, float], tuple[float, str]]
 """From the sun and turbidity: the usual zenith luminance, cd m-2, and what to say of it."""
@@ -44,7 +45,10 @@ def middle_level(sun: Any, turbidity: float) -> tuple[float, str]:
 
 @dataclass(frozen=True)
 class Model:
-    """A model by name. `takes`: options that are its parameters; `own_sun`: it tells how bright its sun is."""
+    """A model by name. `takes`: options that are its parameters; `own_sun`: it tells how bright its sun is.
+
+    `twilight`: it knows the sky after sunset.
+    """
 
     name: str
     kind: str
@@ -54,6 +58,7 @@ class Model:
     level: Level | None = None
     shines: bool = True
     own_sun: bool = False
+    twilight: bool = False
 
     def cls(self) -> "type[Sky]":
         """The class."""
@@ -77,7 +82,7 @@ class Model:
         allowed |= set(self.takes) | set(LEVELS if self.levelled else ())
         if options.direct_normal_irradiance is not None:
             allowed |= {"turbidity"}
-        for name in ("turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "letters", *LEVELS):
+        for name in ("turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "letters", *PATHS, *LEVELS):
             if getattr(options, name) is not None and name not in allowed:
                 raise ValueError(f"{self.name} takes no {option_name(name)}; `skydome models` tells what it takes")
 
@@ -190,12 +195,26 @@ MODELS: tuple[Model, ...] = (
 )
 
 
+def all_models() -> "tuple[Model, ...]":
+    """Every model, the skies from first principles at the end."""
+    from skydome.cli.physical_models import PhysicalModel, TracedModel
+
+    air = ("turbidity", "albedo")
+    return (
+        *MODELS,
+        PhysicalModel("discrete-ordinates", "DiscreteOrdinates", air, own_sun=True),
+        PhysicalModel("nishita-1993", "Nishita93", air, own_sun=True, twilight=True),
+        PhysicalModel("nishita-1996", "Nishita96", air, own_sun=True, twilight=True),
+        TracedModel("path-traced", "PathTraced", (*air, *PATHS), own_sun=True, twilight=True),
+    )
+
+
 def model_named(name: str) -> Model:
     """The model by name; ValueError with the nearest names there are."""
-    known = {model.name: model for model in MODELS}
+    known = {model.name: model for model in all_models()}
     if name not in known:
         near = get_close_matches(name, known, n=2)
-        names = ", ".join(key for key in known if not key[-1].isdigit())
+        names = ", ".join(key for key in known if not key.removeprefix("cie-").isdigit())
         meant = f" (perhaps {' or '.join(near)})" if near else ""
         raise ValueError(f"model must be one of {names}, cie-1 ... cie-15, got {name!r}{meant}")
     return known[name]

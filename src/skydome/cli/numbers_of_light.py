@@ -94,7 +94,7 @@ def parameters_text(parameters: dict[str, Any]) -> str:
         weights = parameters["weights"]
         parts = zip(parameters["members"], weights, strict=True)
         return " + ".join(("" if weight == 1 else f"{weight:g} × ") + parameters_text(part) for part, weight in parts)
-    inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict)]
+    inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict) and "model" in value]
     shown = [
         f"{name} {value:g}" if isinstance(value, int | float) else f"{name} {value}"
         for name, value in parameters.items()

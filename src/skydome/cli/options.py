@@ -79,6 +79,13 @@ class SkyOptions(SunOptions):
     letters: Annotated[
         str | None, Option(metavar="A,B,C,D,E", help="Perez's five letters (perez).", rich_help_panel=AIR)
     ] = None
+    until: Annotated[
+        str | None,
+        Option(metavar="ERROR", help="Trace to this median error (path-traced). [default: 1%]", rich_help_panel=AIR),
+    ] = None
+    paths: Annotated[
+        int | None, Option(help="Paths per direction and wavelength, at most (path-traced).", rich_help_panel=AIR)
+    ] = None
     zenith_luminance: Annotated[float | None, Option(help="cd m-2.", rich_help_panel=LEVEL)] = None
     illuminance: Annotated[float | None, Option(help="Diffuse horizontal, lx.", rich_help_panel=LEVEL)] = None
     chromaticity: Annotated[

@@ -56,7 +56,8 @@ def moment_for(model: Model, options: SkyOptions) -> Moment | None:
     if alone and (levelled or not given):
         return moment_of(options) if given else None
     moment = moment_of(options)
-    require_day(moment, model.name)
+    if not model.twilight:
+        require_day(moment, model.name)
     return moment
 
 

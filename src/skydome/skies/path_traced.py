@@ -1,5 +1,6 @@
 """The sky by brute force: backward Monte Carlo in spherical shells, all orders, ground, with its standard error."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from os import PathLike
@@ -60,14 +61,21 @@ class Tracing:
             found = found.merged(Tracing(self.job, (number,), self.job.one_pass(number), np.zeros_like(self.mean)))
         return found
 
-    def until(self, relative_error: float, most: int = 100_000) -> "Tracing":
-        """With as many passes as bring the median relative standard error down to the one given, at least 8 in all."""
+    def until(
+        self, relative_error: float, most: int = 100_000, report: Callable[[float, int], None] | None = None
+    ) -> "Tracing":
+        """With as many passes, `most` in all, as bring the median relative standard error down to the one given.
+
+        At least 8 passes where `most` allows. `report(relative error, passes)` is called as it goes on.
+        """
         if not 0 < relative_error < 1:
             raise ValueError(f"relative_error must lie in (0, 1), got {relative_error}")
-        found = self.more(max(0, 8 - len(self.passes)))
+        found = self.more(max(0, min(8, most) - len(self.passes)))
         while found.relative_error > relative_error and len(found.passes) < most:
-            wanted = len(found.passes) * (found.relative_error / relative_error) ** 2
-            found = found.more(int(np.clip(wanted - len(found.passes), 1, len(found.passes))))
+            if report is not None:
+                report(found.relative_error, len(found.passes))
+            wanted = min(len(found.passes) * (found.relative_error / relative_error) ** 2, most)
+            found = found.more(int(np.clip(wanted - len(found.passes), 1, max(1, len(found.passes) // 4))))
         return found
 
     def merged(self, other: "Tracing") -> "Tracing":
