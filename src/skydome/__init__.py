@@ -42,6 +42,7 @@ HOME = {
     "skies.discrete_ordinates": "DiscreteOrdinates",
     "skies.scattering_sky": "Nishita93 Nishita96",
     "skies.path_traced": "PathTraced",
+    "skies.many_suns": "many_suns",
     "skies.refitted": "Refitted",
     "skies.physical": "physical_sky",
     "skies.held_sky": "HeldSky held",
