@@ -6,7 +6,7 @@ import pytest
 import skydome as sd
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Molecules, Ozone
-from skydome.air.phase_laws import CornetteShanks, HenyeyGreenstein
+from skydome.air.phase_laws import CornetteShanks
 from skydome.air.profiles import Tabulated
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.path_traced import PathTraced
@@ -27,21 +27,6 @@ def check(tracing, expected, limit=4.0):
     away = (tracing.radiance - expected) / tracing.standard_error
     assert np.abs(away).max() < limit
     assert 0.4 < np.sqrt((away**2).mean()) < 1.8
-
-
-@pytest.mark.parametrize(("zenith", "albedo"), [(z, a) for z in (30, 60, 80) for a in (0.0, 0.5)])
-def test_against_discrete_ordinates_where_the_earth_is_flat(zenith, albedo):
-    pytest.importorskip("nanodisort")
-    parts = (
-        Molecules(optical_depth=0.1, depolarisation=0.0),
-        Aerosol(0.1, albedo=1.0, phase=HenyeyGreenstein((0.76,))),
-    )
-    flat = Atmosphere(parts, albedo, radius=6.371e9)
-    sky = PathTraced(sun_at(90 - zenith), flat, seed=zenith, exact_first=False, paths_per_pass=128)
-    found = sky.job(VIEWS, W).start().more(48)
-    expected = sd.DiscreteOrdinates(sky.sun, flat, 32).radiance(VIEWS, W)
-    check(found, expected)
-    assert np.median(np.abs(found.radiance / expected - 1)) < 0.02
 
 
 def test_one_bounce_is_single_scattering():
