@@ -58,6 +58,7 @@ HOME = {
     "dome.sampling": "SkySampler sample sample_density",
     "dome.render": "render",
     "study.fitting": "Fit fit",
+    "study.bezier_family": "bezier_family",
     "scene.bands": "Bands",
     "scene.canyon": "StreetCanyon",
     "scene.horizon": "Horizon",
