@@ -133,7 +133,10 @@ def test_a_process_ends_with_2_and_one_line():
 
 
 def test_an_interrupt_ends_with_130(tmp_path):
-    command = [sys.executable, "-m", "skydome", "render", *DAY, "--height", "8192", "-o", str(tmp_path / "sky.exr")]
+    # a test run in the background may have been told to ignore interrupts, which its children would inherit
+    heard = "import runpy, signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    heard += "runpy.run_module('skydome', run_name='__main__')"
+    command = [sys.executable, "-c", heard, "render", *DAY, "--height", "8192", "-o", str(tmp_path / "sky.exr")]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     time.sleep(2)
     process.send_signal(signal.SIGINT)

@@ -3,6 +3,7 @@
 import os
 import secrets
 import shutil
+import time
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -81,5 +82,17 @@ def store_appearing(final: Path) -> Iterator[Path]:
             final.rename(old)
         beside.rename(final)
         shutil.rmtree(old, ignore_errors=True)
-    finally:
-        shutil.rmtree(beside, ignore_errors=True)
+    except BaseException:
+        remove_for_good(beside)
+        raise
+
+
+def remove_for_good(folder: Path, quiet: float = 0.2, patience: float = 10.0) -> None:
+    """Remove a folder into which writing threads may still put files: until it stays away for `quiet` seconds."""
+    end = time.monotonic() + patience
+    since = time.monotonic()
+    while time.monotonic() < end and time.monotonic() - since < quiet:
+        if folder.exists():
+            shutil.rmtree(folder, ignore_errors=True)
+            since = time.monotonic()
+        time.sleep(0.02)
