@@ -4,7 +4,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_compiling, is_concrete, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, floating, is_compiling, is_concrete, limited
 from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
@@ -58,12 +58,3 @@ def require_check(check: str) -> None:
     """ValueError unless check is one of the three policies."""
     if check not in CHECKS:
         raise ValueError(f'check must be one of "raise", "clamp", "nan", got {check!r}')
-
-
-def all_of(*conditions: Array) -> Array:
-    """Elementwise "and" of boolean arrays that broadcast."""
-    xp = namespace(*conditions)
-    result = conditions[0]
-    for condition in conditions[1:]:
-        result = xp.logical_and(result, condition)
-    return result
