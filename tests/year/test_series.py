@@ -9,7 +9,7 @@ from skydome.dome.patch_means import patch_means
 from skydome.dome.patches import patches
 from skydome.light.spectrum import xyz_weights
 from skydome.year import gendaymtx
-from skydome.year.action_spectra import melanopic_edi, photosynthetic_photons
+from skydome.year.action_spectra import melanopic_edi, melanopic_sensitivity, photosynthetic_photons
 from skydome.year.dome_means import PerezSkies, by_numpy, dome_means, samples_of
 from skydome.year.perez_year import perez_year
 from skydome.year.series import year
@@ -158,6 +158,33 @@ def test_colour_and_spectrum_keep_the_luminance(greensboro, kind):
     assert ((ratio > 1.0) & (ratio < 1.6)).all()  # blue skies: D65 is 1, the bluest skies about 1.4
     photons = data.diffuse_photosynthetic_photons / data.diffuse_horizontal_illuminance
     assert ((photons > 0.0165) & (photons < 0.0215)).all()  # D65: 0.0181 micromol per lm
+
+
+MELANOPIC_RATIOS = {"A": 0.4958, "FL2": 0.5699, "FL11": 0.5636, "LED-B3": 0.6326}
+MELANOPIC_RATIOS_OF_DAYLIGHT = {4000: 0.7117, 5000: 0.8471, 6500: 0.9998, 7500: 1.0760, 10000: 1.2085, 25000: 1.4566}
+"""Melanopic EDI over illuminance by the CIE's own table of 1 nm (CIE S 026), 380-780 nm."""
+
+
+def melanopic_ratio(spectrum):
+    even = spectrum.copy().interpolate(colour.SpectralShape(380, 780, 1))
+    return melanopic_edi(even.values, even.wavelengths) / (even.values @ xyz_weights(even.wavelengths)[:, 1])
+
+
+def test_melanopic_ratios_are_the_standards():
+    for name, ratio in MELANOPIC_RATIOS.items():
+        assert abs(melanopic_ratio(colour.SDS_ILLUMINANTS[name]) / ratio - 1) < 0.005
+    for kelvin, ratio in MELANOPIC_RATIOS_OF_DAYLIGHT.items():
+        daylight = colour.sd_CIE_illuminant_D_series(colour.temperature.CCT_to_xy_CIE_D(kelvin))
+        assert abs(melanopic_ratio(daylight) / ratio - 1) < 0.002
+
+
+def test_the_melanopic_curve_is_the_standards():
+    """Values of the CIE's table; its curve is met within 2.8 % of the peak."""
+    w = np.array([400.0, 425, 455, 480, 490, 510, 530, 550, 580, 600, 650])
+    table = [0.01143, 0.18710, 0.62965, 0.96561, 1.0, 0.86289, 0.51931, 0.21572, 0.02687, 0.00507, 0.00009]
+    difference = np.abs(melanopic_sensitivity(w) - table)
+    assert difference.max() < 0.028
+    assert np.sqrt(np.mean(difference**2)) < 0.015
 
 
 def test_action_spectra_for_daylight():
