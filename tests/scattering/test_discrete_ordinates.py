@@ -1,19 +1,25 @@
 """Discrete ordinates: against CDISORT's own radiance and flux, in limits, and for shapes."""
 
+from dataclasses import replace
+from itertools import product
+
 import numpy as np
 import pytest
 
 import skydome as sd
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Molecules
+from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.directions import rotate_about_vertical
 from skydome.ground.quadrature import hemisphere
-from skydome.skies.discrete_ordinates import DiscreteOrdinates, usable_streams
+from skydome.skies.discrete_ordinates import DiscreteOrdinates, geometry, usable_streams
 from skydome.skies.layers import layered
+from skydome.skies.scattering_sky import Nishita93
 
 nanodisort = pytest.importorskip("nanodisort")
 W = np.array([400.0, 700.0])
 AIR = Atmosphere.standard(aerosol_depth=0.15, albedo=0.3)
+FLAT = replace(AIR, radius=6.371e9)
 
 
 def sun_at(elevation, azimuth=137.0):
@@ -44,8 +50,8 @@ def test_against_cdisort_with_many_streams(elevation):
     sun = sun_at(elevation, 0.0)
     azimuth, cosine = np.meshgrid(np.radians([0.0, 60.0, 180.0]), [0.2, 0.5, 0.9])
     views = sd.direction(azimuth, np.arcsin(cosine))
-    got = DiscreteOrdinates(sun, AIR, 24).radiance(views, [550.0])[..., 0] / AIR.sun_at([550.0])
-    expected, _, _ = cdisort(AIR, float(sun[2]), 550.0)
+    got = DiscreteOrdinates(sun, FLAT, 24).radiance(views, [550.0])[..., 0] / AIR.sun_at([550.0])
+    expected, _, _ = cdisort(FLAT, float(sun[2]), 550.0)
     np.testing.assert_allclose(got, expected, rtol=4e-3)
 
 
@@ -67,10 +73,20 @@ def test_thin_air_is_single_scattering():
     sun = sun_at(40.0)
     views = hemisphere(4, 8)[0]
     expected = 1e-4 / views[:, 2] * 3 / (16 * np.pi) * (1 + (views @ sun) ** 2)
-    thin = Atmosphere((Molecules(optical_depth=1e-4, depolarisation=0.0),), albedo=0.0)
+    thin = Atmosphere((Molecules(optical_depth=1e-4, depolarisation=0.0),), albedo=0.0, radius=6.371e9)
     got = DiscreteOrdinates(sun, thin).radiance(views, [550.0])[:, 0] / thin.sun_at([550.0])
     np.testing.assert_allclose(got, expected, rtol=2e-3)
     assert air.depth([550.0])[0] == 1e-4
+
+
+@pytest.mark.parametrize(("elevation", "tolerance"), [(5.0, 0.012), (10.0, 0.007), (40.0, 0.004)])
+def test_light_scattered_once_goes_through_round_layers(elevation, tolerance):
+    """Closed form in 17 layers against quadrature along each view (Nishita 1993)."""
+    air, sun = Atmosphere((Molecules(), Aerosol(0.1, phase=HenyeyGreenstein((0.0,)))), albedo=0.0), sun_at(elevation)
+    views = np.array([sd.direction(a, np.radians(h)) for a, h in product((0.3, 1.7, 3.0), (2, 5, 20, 70))])
+    cosine, _, angle = geometry(views, sun)
+    got = layered(air, W, 16).single(cosine, angle, float(sun[2])) * air.sun_at(W)
+    np.testing.assert_allclose(got, Nishita93(sun, air).radiance(views, W), rtol=tolerance)
 
 
 def test_a_sun_on_a_quadrature_angle_is_no_trouble():

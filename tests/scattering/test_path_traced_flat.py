@@ -73,8 +73,11 @@ def test_one_bounce_against_the_closed_form():
     for zenith in (30, 60):
         air = flat()
         cosine, _, angle = geometry(VIEWS, sun_at(zenith))
-        depth = np.array([[0.2]])
-        reached = escaping(depth, cosine, float(sun_at(zenith)[2]))[:, 0]
+        to_eye, to_sun = (
+            np.array([[0.2], [0.0]]) / cosine[:, None, None],
+            np.array([[0.0], [0.2]]) / sun_at(zenith)[2],
+        )
+        reached = escaping(to_eye, to_sun)[:, 0]
         phases = sum(0.5 * part.phase_law.value(angle, W) for part in air.constituents)
         away.append(deviations(traced(zenith, air, orders=1), phases * reached * air.sun_at(W)))
     check(np.concatenate(away))

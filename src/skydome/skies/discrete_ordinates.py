@@ -1,8 +1,10 @@
-"""The physical sky by discrete ordinates: multiple scattering in plane-parallel layers, solved by CDISORT (nanodisort).
+"""The physical sky by discrete ordinates: multiple scattering in layers of air, solved by CDISORT (nanodisort).
 
 What is smooth is solved, what is sharp is known: CDISORT gives the light of a truncated phase function at a few
 angles; its single scattering is taken out and the single scattering of the true phase function put in, in closed form
 and at every direction (Nakajima and Tanaka 1988, the TMS method). So the cost hardly grows with the directions.
+The sun's rays pass through round layers (CDISORT's pseudo-spherical beam), and so does what they scatter first on its
+way to the eye; light that is scattered again sees flat layers.
 """
 
 from dataclasses import dataclass, field
@@ -24,11 +26,11 @@ LEAST_COSINE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class DiscreteOrdinates(SpectralSky):
-    """The sky of an `atmosphere` with all orders of scattering, plane-parallel, by `streams` discrete ordinates.
+    """The sky of an `atmosphere` with all orders of scattering by `streams` discrete ordinates.
 
-    Errors: 0.03 % rms, 0.3 % at most of the flat problem at 16 streams (docs/models/discrete-ordinates.md). Flat layers
-    are too bright low in the sky, in thin air 0.5 % at 20 degrees of elevation and 3.6 % at 10; no polarisation (up to
-    7 % at 400 nm in clean air). Needs the extra `rt` (nanodisort).
+    Errors: 0.03 % rms, 0.3 % at most at 16 streams (docs/models/discrete-ordinates.md). Against path tracing 0.5-0.9 %
+    too bright above 20 degrees of elevation and 1-2 % below, for suns from 5 degrees up: light scattered twice and more
+    sees flat layers. No polarisation (up to 7 % at 400 nm in clean air). Needs the extra `rt` (nanodisort).
 
     >>> import skydome as sd
     >>> sky = DiscreteOrdinates(sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg))
@@ -176,8 +178,10 @@ def solved(
         state.usrtau = state.usrang = state.lamber = state.quiet = True
         state.intensity_correction = state.old_intensity_correction = True  # nothing is left to correct: no warning
         state.planck = state.onlyfl = False
+        state.spher = True
         state.umu0, state.phi0, state.fbeam, state.albedo = cos_sun, 0.0, 1.0, float(albedo[w])
         state.allocate()
+        state.radius, state.zd = layers.radii[-1] / 1000, (layers.radii - layers.radii[-1]) / 1000
         state.dtauc, state.ssalb, state.pmom = depth[:, w].copy(), share[:, w].copy(), moments[:, :, w].copy()
         state.utau = np.array([depth[:, w].sum()])
         state.umu, state.phi = -cosines[::-1], np.degrees(azimuths)

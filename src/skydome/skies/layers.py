@@ -1,4 +1,8 @@
-"""An atmosphere cut into plane layers, and the light that is scattered in them once, in closed form."""
+"""An atmosphere cut into layers, and the light that is scattered in them once, in closed form.
+
+The light scattered once goes through round layers, from the sun and to the eye; the solver's own share of it, which is
+taken out, comes by a sun that shines through round layers to an eye that looks through flat ones.
+"""
 
 from dataclasses import dataclass
 
@@ -45,10 +49,18 @@ class Layers:
         """Moments of the phase functions without their forward peak, the last 0, (streams + 1, L, W) (eq. 11)."""
         return (self.moments - self.peak) / (1 - self.peak)
 
+    @property
+    def radii(self) -> Array:
+        """Distance of the layers' edges from the planet's centre, m, from the top down, (L + 1,)."""
+        return np.asarray(self.atmosphere.radius + LEVELS * self.atmosphere.height)
+
     def single(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
-        """Light scattered once by the true phase functions in layers of scaled depth, sr-1, shape (D, W)."""
+        """Light scattered once by the true phase functions in round layers of scaled depth, sr-1, shape (D, W)."""
         share = self.scattered / (1 - self.scattered * self.peak)
-        paths = escaping(self.scaled_depth, cosine, cos_sun)
+        distance, lengths = through(self.radii, cosine)
+        local = (self.radii[-1] * cos_sun + distance * angle[:, None]) / self.radii
+        to_sun = outward(self.radii, local) @ self.scaled_depth
+        paths = escaping(from_below(lengths[..., None] * self.scaled_depth), to_sun)
         total = np.zeros((len(cosine), self.wavelengths.size))
         for part, mix in zip(self.atmosphere.constituents, self.mix, strict=True):
             if mix.any():
@@ -57,11 +69,13 @@ class Layers:
         return total
 
     def truncated_single(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
-        """The same by the truncated phase functions that the solver sees, sr-1, shape (D, W)."""
+        """The same by the truncated phase functions and the flat views that the solver knows, sr-1, shape (D, W)."""
         orders = np.arange(len(self.moments))
         series = (2 * orders + 1)[:, None, None] * self.scaled_moments / (4 * np.pi)
         phase = np.einsum("nd,nlw->dlw", legendre(orders.size, np.clip(angle, -1.0, 1.0)), series)
-        return np.einsum("dlw,dlw,lw->dw", escaping(self.scaled_depth, cosine, cos_sun), phase, self.scaled_share)
+        to_sun = outward(self.radii, np.full(self.radii.shape, cos_sun)) @ self.scaled_depth
+        paths = escaping(from_below(self.scaled_depth / cosine[:, None, None]), to_sun)
+        return np.einsum("dlw,dlw,lw->dw", paths, phase, self.scaled_share)
 
 
 def layered(atmosphere: Atmosphere, wavelengths: np.ndarray, streams: int) -> Layers:
@@ -86,16 +100,41 @@ def layer_depths(part: object, heights: np.ndarray) -> Array:
     return np.diff(above)
 
 
-def escaping(depth: np.ndarray, cosine: np.ndarray, cos_sun: float) -> Array:
-    """Share of the sunlight that a layer would send to the ground if it scattered all, per phase, shape (D, L, W).
+def through(radii: np.ndarray, cosine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where views from the ground with cosines (D,) cross the edges, m, (D, L + 1), and their lengths in layers (D, L).
 
-    The integral over the layer of exp(-t / cos_sun - (T - t) / cosine) dt / cosine.
+    Lengths are over a layer's thickness: 1 straight up, 1 / cosine where the planet is large.
     """
-    below = depth.sum(axis=0) - np.cumsum(depth, axis=0)
-    above = np.cumsum(depth, axis=0) - depth
-    view = cosine[:, None, None]
-    top = np.exp(-(below + depth) / view - above / cos_sun)
-    bottom = np.exp(-below / view - (above + depth) / cos_sun)
-    rate = np.abs(1 / view - 1 / cos_sun) * depth
+    edges = np.sqrt(np.maximum(radii**2 - radii[-1] ** 2 * (1 - cosine[:, None] ** 2), 0.0))
+    return edges - edges[:, -1:], np.diff(edges) / np.diff(radii)
+
+
+def outward(radii: np.ndarray, cosine: np.ndarray) -> np.ndarray:
+    """Lengths in layers, over their thickness, of rays from each edge out to space, (..., L + 1, L).
+
+    `cosine` (..., L + 1) of a ray to the vertical at its edge. A ray that falls first goes twice through what is below.
+    """
+    lowest_square = radii**2 * (1 - cosine**2)
+    edges = np.sqrt(np.maximum(radii**2 - lowest_square[..., None], 0.0))
+    count = np.arange(radii.size)
+    passes = np.where(count[:-1] < count[:, None], 1.0, np.where(cosine < 0, 2.0, 0.0)[..., None])
+    result: np.ndarray = np.diff(edges) / np.diff(radii) * passes
+    return result
+
+
+def from_below(depth: np.ndarray) -> np.ndarray:
+    """Depth between each edge and the ground, (..., L + 1, W), of layers (..., L, W)."""
+    below = np.cumsum(depth[..., ::-1, :], axis=-2)[..., ::-1, :]
+    return np.concatenate([below, np.zeros_like(below[..., :1, :])], axis=-2)
+
+
+def escaping(to_eye: np.ndarray, to_sun: np.ndarray) -> Array:
+    """Share of the sunlight that a layer would send to the eye if it scattered all, per phase, shape (..., L, W).
+
+    From the depths of the edges (..., L + 1, W): the integral over the layer of exp(-to_sun - to_eye) d to_eye, both
+    taken as linear inside it.
+    """
+    whole = to_eye + to_sun
+    light, rate = np.exp(-whole), np.abs(np.diff(whole, axis=-2))
     mean = np.where(rate < 1e-6, 1 - rate / 2, -np.expm1(-rate) / np.where(rate < 1e-6, 1.0, rate))
-    return np.maximum(top, bottom) * mean * depth / view
+    return np.maximum(light[..., :-1, :], light[..., 1:, :]) * mean * -np.diff(to_eye, axis=-2)

@@ -10,7 +10,7 @@ from skydome.skies.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.path_traced import PathTraced
 
 LEAST_ELEVATION = 5 * deg
-"""Elevation of the sun, rad, below which plane-parallel layers go wrong and the path tracer takes over."""
+"""Elevation of the sun, rad, below which the path tracer takes over: what is scattered twice knows only flat layers."""
 
 
 def physical_sky(

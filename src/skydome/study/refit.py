@@ -22,7 +22,7 @@ from skydome.skies.refitted import OFFSET, Numbers
 ELEVATIONS = np.array([5, 7, 10, 13, 17, 22, 27, 33, 39, 45, 51, 57, 63, 69, 75, 80, 85, 90.0]) * deg
 WAVELENGTHS = np.array([380.0, 400, 430, 465, 505, 550, 600, 650, 700, 780])
 LOWEST = 2 * deg
-"""Least elevation of the views that are fitted: below it plane-parallel air goes wrong, and the formula with it."""
+"""Least elevation of the views that are fitted: nearer to the horizon the formula goes wrong."""
 
 STARTS = ((-1.0, -0.3, -3.0, 0.6), (-0.9, -0.1, -1.5, 0.75), (-1.2, -0.6, -6.0, 0.5), (0.5, -0.5, -0.7, 0.8))
 LIMITS = ((-10.0, -5.0, -25.0, 0.05), (10.0, -0.005, -0.02, 0.985))

@@ -21,7 +21,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.skies.discrete_ordinates import DiscreteOrdinates
 
-FORM = 1
+FORM = 2
 """Number of the store's layout and of the simulation's meaning; a change makes old stores another grid."""
 
 
