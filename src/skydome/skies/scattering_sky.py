@@ -24,6 +24,8 @@ from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
 CHUNK = 2048
+RAYS = 512
+"""Rays that are followed at a time: what is held of them stays in the processor's cache."""
 HEIGHTS = np.array([0, 0.003, 0.01, 0.02, 0.035, 0.06, 0.1, 0.16, 0.25, 0.4, 0.65, 1.0])
 """Heights, as parts of the whole, at which the light for the second scattering is known."""
 
@@ -101,34 +103,33 @@ def scattered_once(
     table: ColumnTable, radius: np.ndarray, views: np.ndarray, sun: np.ndarray, wavelengths: np.ndarray
 ) -> Array:
     """Light scattered once toward observers at radii (N,) above the origin along views (N, 3), sr-1, shape (N, W)."""
-    light = np.empty((len(views), wavelengths.size))
-    for start in range(0, len(views), CHUNK):
-        part = slice(start, start + CHUNK)
-        path = rays(table.air, radius[part], views[part, 2])
-        cosine = views[part] @ sun
-        light[part] = np.einsum(
-            "ns,nsw->nw", path.step, source(table, path, radius[part], sun[2], cosine, wavelengths), optimize=True
-        )
+    parts = table.air.constituents
+    depths = np.stack([part.depth(wavelengths) for part in parts])
+    light = np.zeros((len(views), wavelengths.size))
+    for start in range(0, len(views), RAYS):
+        some = slice(start, start + RAYS)
+        cosine = np.clip(views[some] @ sun, -1.0, 1.0)
+        reach = lit_columns(table, rays(table.air, radius[some], views[some, 2]), radius[some], sun[2], cosine, depths)
+        for k, part in enumerate(parts):
+            scattering = depths[k] * part.scattered(wavelengths)
+            if scattering.any():
+                light[some] += part.phase_law.value(cosine, wavelengths) * scattering * reach[:, k]
     return light
 
 
-def source(
-    table: ColumnTable, path: Rays, radius: np.ndarray, cos_sun: float, cos_angle: np.ndarray, wavelengths: np.ndarray
+def lit_columns(
+    table: ColumnTable, path: Rays, radius: np.ndarray, cos_sun: float, cosine: np.ndarray, depths: np.ndarray
 ) -> Array:
-    """What each metre of the ray adds to the light at its start, m-1 sr-1, shape (N, S, W) (Nishita 1993, eq. 4, 5)."""
-    air = table.air
-    height = air.radius + path.height
-    local = (radius[:, None] * cos_sun + path.distance * cos_angle[:, None]) / height
+    """Column of each constituent on rays, each sample dimmed from the sun and to the eye, (N, K, W) (1993, eq. 4, 5).
+
+    `depths` (K, W): vertical optical depths; `cosine` (N,): of the angle between ray and sun.
+    """
+    local = (radius[:, None] * cos_sun + path.distance * cosine[:, None]) / (table.air.radius + path.height)
     column, blocked = table.look_up(path.height, np.clip(local, -1.0, 1.0))
-    depths = np.stack([part.depth(wavelengths) for part in air.constituents])
-    shares = depths * np.stack([part.scattered(wavelengths) for part in air.constituents])
-    lit = np.exp(-np.einsum("kns,kw->nsw", column + path.column, depths, optimize=True))
-    strength = np.zeros_like(lit)
-    for part, share, density in zip(air.constituents, shares, path.density, strict=True):
-        if share.any():
-            phase = part.phase_law.value(np.clip(cos_angle, -1.0, 1.0), wavelengths) * share
-            strength += density[:, :, None] * phase[:, None, :]
-    return np.where(blocked[:, :, None], 0.0, strength * lit)
+    lit = np.moveaxis(column + path.column, 0, -1) @ -depths
+    np.exp(lit, out=lit)
+    pieces = np.where(blocked, 0.0, path.density * path.step)
+    return np.asarray(np.moveaxis(pieces, 0, 1) @ lit)
 
 
 def second_order_series(table: ColumnTable, sun: np.ndarray, wavelengths: np.ndarray, rings: int, terms: int) -> Array:
