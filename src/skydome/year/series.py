@@ -10,7 +10,7 @@ from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.units import deg
 from skydome.year import status as flags
-from skydome.year.colour_year import Clear, add_colour, add_spectrum
+from skydome.year.colour_year import Clear, Weathered, add_colour, add_spectrum
 from skydome.year.dome_means import dome_means
 from skydome.year.perez_year import PerezYear, neighbours, perez_year
 from skydome.year.plausibility import warn_of_wrong_place
@@ -33,6 +33,7 @@ def year(
     colour: Clear | None = None,
     wavelengths: Any = None,
     turbidity: Any = 3.0,
+    clouds: Any = None,
     calendar_year: int | None = None,
     track: SunTrack | None = None,
 ) -> "xarray.Dataset":
@@ -45,7 +46,8 @@ def year(
     neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
     patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch,
     wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky
-    at Perez's luminance.
+    and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
+    luminance.
 
     >>> import pandas as pd, skydome as sd
     >>> from skydome.year.tmy import from_frame
@@ -82,9 +84,10 @@ def year(
     if compat == "gendaymtx":
         data["diffuse_horizontal_illuminance"].values[:] = luminance @ cut.horizontal_solid_angles
     if colour is not None:
-        add_colour(data, sky, cut, colour, turbidity)
+        air = Weathered.of(sky, weather.count, turbidity, clouds)
+        add_colour(data, sky, cut, colour, air)
         if wavelengths is not None:
-            add_spectrum(data, sky, cut, colour, turbidity, wavelengths)
+            add_spectrum(data, sky, cut, colour, air, wavelengths)
     elif wavelengths is not None:
         raise ValueError('wavelengths need a colour: "preetham" or "hosek-wilkie"')
     return data

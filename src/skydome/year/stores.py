@@ -55,8 +55,8 @@ def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: i
     with store_appearing(Path(path)) as beside:
         for k in range(0, weather.count, hours):
             part = slice(k, min(k + hours, weather.count))
-            haze = choices.get("turbidity", 3.0)
-            given = choices | {"turbidity": haze[part] if np.ndim(haze) else haze}
+            hourly = {name: choices[name] for name in ("turbidity", "clouds") if np.ndim(choices.get(name, 0.0))}
+            given = choices | {name: values[part] for name, values in hourly.items()}
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # the place has been looked at already
                 data = year(weather.rows(part), **given)
