@@ -3,10 +3,13 @@
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from skydome.ground.arrays import Array, constant, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.scene.aerial_perspective import AerialPerspective, AirLight, checked
 from skydome.scene.aerial_perspective_integrals import Ray, optical_depth
+from skydome.scene.aerial_perspective_light import sky_nodes
 
 KILOMETRE = 1000.0
 
@@ -15,8 +18,8 @@ KILOMETRE = 1000.0
 class WardLarson:
     """Air that looks the same in every direction: right at one kilometre, exponential elsewhere, lit by the zenith.
 
-    tau(s) = tau(1 km)^(s / 1 km) of a level ray; in-scattered light = the zenith's radiance x (1 - tau). `air` gives
-    the extinction, the zenith and the channels (RGB or wavelengths).
+    tau(s) = tau(1 km)^(s / 1 km) of a level ray; in-scattered light = the zenith's radiance x (1 - tau), as Preetham
+    1999, section 5 has it. `air` gives the extinction, the sky and the channels (RGB or wavelengths).
 
     >>> import skydome as sd
     >>> from skydome.scene.aerial_perspective import AirLight
@@ -29,15 +32,20 @@ class WardLarson:
 
     air: AirLight
 
+    def lit_from(self) -> tuple[np.ndarray, np.ndarray]:
+        """Directions (N, 3) of the sky that lights the fog, and their weights (N,), which sum to 1."""
+        return np.asarray(ZENITH)[None, :], np.ones(1)
+
     @property
     def ambient(self) -> Array:
-        """The zenith's light without the sun, (C,)."""
+        """The light of fog without end: the sky's where it is `lit_from`, without the sun, (C,)."""
+        directions, weights = self.lit_from()
+        views = constant(directions, self.air.like)
         total: Array = 0.0
         for part in self.air.parts[1]:
-            if self.air.wavelengths is None:
-                total = total + part.rgb(constant(ZENITH, self.air.like))  # type: ignore[attr-defined]
-            else:
-                total = total + self.air.channels.sky_light(part, constant(ZENITH, self.air.like))
+            rgb = self.air.wavelengths is None
+            light = part.rgb(views) if rgb else self.air.channels.sky_light(part, views)  # type: ignore[attr-defined]
+            total = total + constant(weights, light) @ light
         return total
 
     def at(self, distance: Any, direction: Any, height: Any = 0.0) -> AerialPerspective:
@@ -52,3 +60,23 @@ class WardLarson:
         tau = xp.exp(-depth * (distance / KILOMETRE)[..., None])
         ambient = self.ambient
         return AerialPerspective(tau, (1 - tau) * (constant(ambient, tau) if is_numpy(ambient) else ambient))
+
+
+@dataclass(frozen=True, eq=False)
+class WardLarsonMeanSky(WardLarson):
+    """The same fog lit by the mean radiance of the whole sky, which is nearer to what Radiance calls ambient light.
+
+    Preetham 1999, section 5 takes the zenith as its "best estimate for setting the ambient in-scattering term suggested
+    by Ward-Larson". The zenith is the bluest of a low sun's sky; the mean is not.
+
+    >>> import skydome as sd
+    >>> air = sd.AirLight(sd.Preetham(sd.direction(azimuth=250 * sd.deg, elevation=5 * sd.deg), turbidity=6.0))
+    >>> zenith, mean = WardLarson(air).ambient, WardLarsonMeanSky(air).ambient
+    >>> bool(mean[2] / mean[0] < zenith[2] / zenith[0])
+    True
+    """
+
+    def lit_from(self) -> tuple[np.ndarray, np.ndarray]:
+        """The nodes of the hemisphere by their solid angles."""
+        directions, solid_angles = sky_nodes()
+        return directions, solid_angles / (2 * np.pi)
