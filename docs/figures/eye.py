@@ -1,4 +1,6 @@
-"""Figures of the eye: views without and with its scattering (eye.png), and the spreads (eye_spreads.png)."""
+"""Figures of the eye: views without and with its scattering (eye.png), the spreads (eye_spreads.png), and the measured
+tables of eye.md: each spread, and the veil in whole pictures, over Stiles and Holladay's veil.
+"""
 
 from pathlib import Path
 
@@ -7,16 +9,28 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from drawing import table, update
 
 import skydome as sd
 from skydome import deg
 from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import encode_srgb
-from skydome.scene.point_spread import MESOPIC, PHOTOPIC, SCOTOPIC, CIETotal, stiles_holladay
+from skydome.scene.point_spread import (
+    MESOPIC,
+    PHOTOPIC,
+    PIGMENTS,
+    SCOTOPIC,
+    CIETotal,
+    PointSpread,
+    StilesHolladay,
+    stiles_holladay,
+)
 from skydome.scene.streaks import Needles
 
 HERE = Path(__file__).parent
 PANEL = 480
+ANGLES = (1, 2, 3, 5, 7, 10, 15, 20, 30)
+AGES = (25, 45, 60, 80)
 
 
 def sky_map(azimuth: float, elevation: float, turbidity: float) -> sd.EnvironmentMap:
@@ -35,10 +49,11 @@ def views() -> None:
     day, evening = sky_map(180, 25, 3.0), sky_map(290, 4, 3.5)
     south = sd.View(170 * deg, 18 * deg, 60 * deg, PANEL)
     cases = [
-        ("25 years, brown eyes", sd.Eye(25, "brown"), day, south),
-        ("60 years, blue eyes", sd.Eye(60, "blue"), day, south),
-        ("sunset, 60 years, blue", sd.Eye(60, "blue"), evening, sd.View(285 * deg, 8 * deg, 60 * deg, PANEL)),
-        ("the sun 6° outside", sd.Eye(60, "blue"), day, sd.View(140 * deg, 18 * deg, 60 * deg, PANEL)),
+        ("25 years", sd.Eye(25), day, south),
+        ("75 years", sd.Eye(75), day, south),
+        ("75 years, blue eyes (CIE)", sd.Eye(75, "blue"), day, south),
+        ("sunset, 60 years", sd.Eye(60), evening, sd.View(285 * deg, 8 * deg, 60 * deg, PANEL)),
+        ("the sun 6° outside, 60 years", sd.Eye(60), day, sd.View(140 * deg, 18 * deg, 60 * deg, PANEL)),
         ("a camera's lens", sd.LensFlare(seed=5), day, south),
     ]
     figure, axes = plt.subplots(2, len(cases), figsize=(2.4 * len(cases), 5.1), layout="constrained")
@@ -60,10 +75,9 @@ def spreads() -> None:
     named = {"photopic": PHOTOPIC, "mesopic": MESOPIC, "scotopic": SCOTOPIC}
     for name, spread in named.items():
         left.loglog(angle / deg, spread(angle), "--", lw=1, label=f"Spencer 1995, {name}")
-    for age in (20, 60, 80):
-        left.loglog(angle / deg, CIETotal(age)(angle), label=f"CIE 135/1, {age} years, brown")
-    valid = (angle > 1 * deg) & (angle < 30 * deg)
-    left.loglog(angle[valid] / deg, stiles_holladay(angle[valid], 20), "k:", lw=2, label="Stiles-Holladay, 20 years")
+    for age, tint in ((20, "C3"), (60, "C4"), (80, "C5")):
+        left.loglog(angle / deg, CIETotal(age)(angle), tint, label=f"CIE 135/1, {age} years, brown")
+        left.loglog(angle / deg, StilesHolladay(age)(angle), tint, ls=":", label=f"StilesHolladay({age})")
     left.set(xlabel="angle from the source, degrees", ylabel="luminance per illuminance, sr⁻¹")
     left.legend(fontsize=8)
     turn = np.linspace(-np.pi, np.pi, 2000, dtype=np.float32)
@@ -73,6 +87,48 @@ def spreads() -> None:
     right.set(xlabel="turn about the sun, degrees", ylabel="factor (mean 1)", xlim=(-180, 180))
     right.legend(fontsize=8)
     save(figure, "eye_spreads.png")
+
+
+def row_of(name: str, spread: PointSpread, age: float) -> tuple[str, ...]:
+    """The spread over Stiles and Holladay's veil at that age, and the angles where it is within 15 % of it."""
+    at, fine = np.array(ANGLES) * deg, np.linspace(1, 30, 2901)
+    near = np.abs(spread(fine * deg) / stiles_holladay(fine * deg, age) - 1) <= 0.15
+    parts = [part for part in np.split(fine[near], np.nonzero(np.diff(fine[near]) > 0.015)[0] + 1) if part.size]
+    spans = ", ".join(f"{part[0]:.1f}-{part[-1]:.1f}" for part in parts) or "nowhere"
+    return (name, *(f"{ratio:.2f}" for ratio in spread(at) / stiles_holladay(at, age)), spans)
+
+
+def in_pictures() -> list[tuple[str, ...]]:
+    """The veil about a sun in whole pictures, over Stiles and Holladay's: needles, halo and all."""
+    sun = sd.direction(180 * deg, 40 * deg)
+    sky = sd.HosekWilkie(sun, 3.0)
+    disc = sd.SunDisc.of(sky)
+    bare, sunny = sd.render(sky, height=512), sd.render(sky + disc, height=512)
+    view = sd.View(180 * deg, 40 * deg, 62 * deg, 1024)
+    angle = np.arccos(np.clip(view.directions() @ sun, -1, 1)) / deg
+    rows = []
+    for age in AGES:
+        eye = sd.Eye(age)
+        veil = (eye.look(sunny, view).eye - eye.look(bare, view).eye) @ sd.SRGB.to_xyz[1]
+        veil /= float(disc.illuminance(sun)) * stiles_holladay(angle * deg, age)
+        rings = [veil[np.abs(angle / a - 1) < 0.03].mean() for a in ANGLES]
+        rows.append((f"{age} years", *(f"{ring:.2f}" for ring in rings)))
+    return rows
+
+
+def tables() -> dict[str, str]:
+    """The measured tables of eye.md."""
+    named = {"Spencer, photopic": PHOTOPIC, "Spencer, mesopic": MESOPIC, "Spencer, scotopic": SCOTOPIC}
+    rows = [row_of(f"{name} (A = 0)", spread, 0) for name, spread in named.items()]
+    rows += [row_of(f"Spencer, photopic (A = {age})", PHOTOPIC, age) for age in AGES]
+    for age in AGES:
+        rows += [row_of(f"CIE 135/1, {age} years, {iris}", CIETotal(age, p), age) for iris, p in PIGMENTS.items()]
+    rows += [row_of(f"`StilesHolladay`, {age} years", StilesHolladay(age), age) for age in AGES]
+    angles = [f"{a}°" for a in ANGLES]
+    return {
+        "ratios": table(["spread", *angles, "within 15 % at"], rows),
+        "pictures": table(["eye", *angles], in_pictures()),
+    }
 
 
 def save(figure: plt.Figure, name: str) -> None:
@@ -85,3 +141,4 @@ def save(figure: plt.Figure, name: str) -> None:
 if __name__ == "__main__":
     views()
     spreads()
+    update("eye.md", tables())

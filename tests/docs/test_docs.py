@@ -106,6 +106,7 @@ MEASURED = {
     "preetham": "models/preetham.md",
     "hosek_wilkie": "models/hosek-wilkie.md",
     "sun_disc": "models/sun-disc.md",
+    "eye": "eye.md",
 }
 
 

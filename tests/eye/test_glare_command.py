@@ -57,7 +57,36 @@ def test_lens_and_table(sky, tmp_path):
     assert path.exists()
 
 
+@pytest.mark.parametrize(
+    ("options", "spread"),
+    [
+        ((), "StilesHolladay(age=50.0)"),
+        (("--iris", "green"), "CIETotal(age=50.0, pigment=1.0)"),
+        (("--spread", "cie"), "CIETotal(age=50.0, pigment=0.5)"),
+        (("--spread", "cie", "--iris", "blue"), "CIETotal(age=50.0, pigment=1.2)"),
+        (("--spread", "stiles-holladay"), "StilesHolladay(age=50.0)"),
+        (("--spread", "scotopic"), "Spencer(core=0.282, corona=0.478, bloom=0.207, halo=0.033, wavelength=568.0)"),
+    ],
+)
+def test_spreads_by_name(sky, options, spread):
+    result = call(sky, "--view", "180,20", "--age", 50, "--json", *options)
+    assert result.exit_code == 0, result.stderr
+    assert json.loads(result.stdout)["spread"] == spread
+
+
 CASES = {
+    "spread": (("--spread", "gaussian"), ("--spread", "stiles-holladay, cie, photopic", "gaussian")),
+    "iris and spread": (("--spread", "photopic", "--iris", "blue"), ("--iris", "--spread photopic")),
+    "age": (("--age", "nan"), ("age", "[5, 100]", "nan")),
+    "pupil": (("--pupil", 0.5), ("pupil", "[1, 9]", "0.5")),
+    "exposure": (("-o", "x.png", "--exposure", -1), ("exposure", "-1")),
+    "exposure NaN": (("-o", "x.png", "--exposure", "nan"), ("exposure", "nan")),
+    "elevation NaN": (("--view", "180,nan"), ("--view", "180,nan")),
+    "azimuth": (("--view", "inf,10"), ("--view", "inf,10")),
+    "white NaN": (("--white", "nan"), ("white_luminance", "nan")),
+    "seed": (("--seed", -1), ("seed", "-1")),
+    "folder": (("-o", "nowhere/eye.png"), ("folder", "nowhere")),
+    "huge": (("--size", 100000), ("8192", "100000")),
     "young": (("--age", 4), ("age", "[5, 100]", "4")),
     "iris": (("--iris", "red"), ("black, brown, green, blue", "red")),
     "view": (("--view", "south"), ("--view", "180,20")),

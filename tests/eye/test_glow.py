@@ -8,7 +8,7 @@ from skydome import deg
 from skydome.scene.bright_source import BrightSource, without_sources
 from skydome.scene.eye import Eye, halo_share, plainly_seen
 from skydome.scene.glow import Glow, disc_glow
-from skydome.scene.point_spread import MESOPIC, PHOTOPIC, CIETotal, cap
+from skydome.scene.point_spread import MESOPIC, PHOTOPIC, CIETotal, StilesHolladay, cap
 from skydome.scene.streaks import Needles, halo_colours
 from skydome.scene.view import HalfSphere, View
 
@@ -34,7 +34,7 @@ def whole(angle, value):
     return np.sum((dense[1:] + dense[:-1]) / 2 * cells, axis=0)
 
 
-@pytest.mark.parametrize("spread", [PHOTOPIC, MESOPIC, CIETotal(60, 1.2)], ids=str)
+@pytest.mark.parametrize("spread", [PHOTOPIC, MESOPIC, CIETotal(60, 1.2), StilesHolladay(40)], ids=str)
 @pytest.mark.parametrize("halo", [0.0, 0.016])
 @pytest.mark.parametrize("radius", [RADIUS, 2 * deg, 0.02 * deg])
 def test_glow_of_a_disc_keeps_its_light(spread, halo, radius):
@@ -224,6 +224,7 @@ def test_bare_disc_has_no_glow():
         ({"age": float("nan")}, "age must lie in"),
         ({"iris": "red"}, "iris must be one of black, brown, green, blue, got 'red'"),
         ({"pupil": 12.0}, r"pupil must lie in \[1, 9\] mm"),
+        ({"iris": "blue", "spread": PHOTOPIC}, "an iris or a spread, not both, got 'blue' and Spencer"),
     ],
 )
 def test_eyes_that_there_are_not(choices, message):

@@ -9,9 +9,12 @@ from scipy.integrate import quad
 from skydome import deg
 from skydome.ground.arrays import as_numpy
 from skydome.scene import point_spread as spreads
-from skydome.scene.point_spread import MESOPIC, PHOTOPIC, SCOTOPIC, CIETotal, Spencer
+from skydome.scene.point_spread import MESOPIC, PHOTOPIC, SCOTOPIC, CIETotal, Spencer, StilesHolladay
 
-EVERY = [PHOTOPIC, MESOPIC, SCOTOPIC, *(CIETotal(age, p) for age in (5, 35, 60, 100) for p in (0.0, 0.5, 1.2))]
+EVERY = [
+    *(PHOTOPIC, MESOPIC, SCOTOPIC, StilesHolladay(25.0), StilesHolladay(90.0)),
+    *(CIETotal(age, p) for age in (5, 35, 60, 100) for p in (0.0, 0.5, 1.2)),
+]
 
 
 def integral(function, first=1e-7, last=np.pi / 2):
@@ -32,7 +35,7 @@ def test_spread_integrates_to_one(spread):
     assert spread.within(np.pi / 2) == pytest.approx(1, abs=1e-4)
 
 
-@pytest.mark.parametrize("spread", EVERY[:5], ids=str)
+@pytest.mark.parametrize("spread", EVERY[:6], ids=str)
 def test_share_within_an_angle_is_the_integral(spread):
     for angle in (0.01 * deg, 0.1 * deg, 1 * deg, 3 * deg, 20 * deg):
         assert spread.within(angle) == pytest.approx(integral(spread, last=angle), abs=1e-4)
@@ -79,6 +82,12 @@ def test_spencer_by_day_meets_stiles_holladay_from_seven_degrees():
     assert np.max(np.abs(PHOTOPIC(angle) / spreads.stiles_holladay(angle) - 1)) < 0.15
 
 
+@pytest.mark.parametrize("age", [-1.0, 101.0, float("nan")])
+def test_ages_that_the_veil_does_not_know(age):
+    with pytest.raises(ValueError, match=r"age must lie in \[0, 100\] years, got"):
+        StilesHolladay(age)
+
+
 def test_no_light_from_behind():
     assert CIETotal()(np.array([91.0, 180.0]) * deg).tolist() == [0.0, 0.0]
 
@@ -87,7 +96,7 @@ def test_no_light_from_behind():
 def test_other_libraries_and_gradients(library):
     xp = pytest.importorskip(library)
     angle = np.array([0.5, 3.0, 20.0]) * deg
-    for spread in (PHOTOPIC, CIETotal(60, 1.2)):
+    for spread in (PHOTOPIC, CIETotal(60, 1.2), StilesHolladay(60)):
         there = spread(xp.asarray(angle, dtype=xp.float32))
         np.testing.assert_allclose(as_numpy(there), spread(angle), rtol=2e-5)
 

@@ -10,10 +10,11 @@ from skydome.cli.printing import show
 
 if TYPE_CHECKING:
     from skydome.maps.environment_map import EnvironmentMap
-    from skydome.scene.eye import Seen
+    from skydome.scene.eye import Eye, Seen
     from skydome.scene.view import View
 
 PICTURES = (".png", ".exr")
+SPREADS = ("stiles-holladay", "cie", "photopic", "mesopic", "scotopic")
 LOW_RANGE = (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp")
 
 
@@ -25,7 +26,15 @@ def glare(
     ] = None,
     fov: Annotated[float, Option(help="Width of the view, degrees, 1-150.")] = 60.0,
     age: Annotated[float, Option(help="Age of the eye, years, 5-100.")] = 35.0,
-    iris: Annotated[str, Option(help="Colour of the iris: black, brown, green or blue.")] = "brown",
+    iris: Annotated[
+        str | None, Option(help="Colour of the iris: black, brown, green or blue; the spread is then CIE 135/1.")
+    ] = None,
+    spread: Annotated[
+        str | None,
+        Option(
+            help="How the eye spreads light: " + ", ".join(SPREADS) + ". [default: stiles-holladay; cie with --iris]"
+        ),
+    ] = None,
     pupil: Annotated[float | None, Option(help="Diameter of the pupil, mm. [default: by the light]")] = None,
     size: Annotated[int, Option(help="Pixels along a side of the view.")] = 1024,
     seed: Annotated[int, Option(help="Which needles the eye has.")] = 0,
@@ -41,20 +50,18 @@ def glare(
 ) -> None:
     """Show and measure the glare of a map: veil, halo and needles about the sun; glare probability, illuminance."""
     from skydome.ground.units import deg
-    from skydome.scene.eye import Eye
     from skydome.scene.glare import glare as measured
     from skydome.scene.lens_flare import LensFlare
-    from skydome.scene.streaks import Needles
     from skydome.scene.view import View
 
     azimuth, elevation = numbers(view, 2, "--view", "180,20")
-    looker = Eye(age, iris, pupil, needles=Needles(seed=seed))
+    looker = eye_of(age, iris, pupil, spread, seed)
     frame = View(azimuth * deg, elevation * deg, fov * deg, size)
-    refuse_picture(output)
+    refuse_picture(output, exposure)
     environment = bright_map(source, target, white)
     numbers_of_glare = measured(environment, frame.azimuth, frame.elevation, age)
     facts = glare_facts(numbers_of_glare) | {"source": str(source), "view_deg": [azimuth, elevation], "fov_deg": fov}
-    facts |= {"age": age, "iris": iris}
+    facts |= {"age": age, "iris": iris, "spread": str(looker.own_spread)}
     if output is not None:
         seen = LensFlare(seed=seed).look(environment, frame) if lens_flare else looker.look(environment, frame)
         save_seen(output, seen, frame, exposure)
@@ -62,8 +69,29 @@ def glare(
     show(facts, glare_rows(facts), as_json)
 
 
-def refuse_picture(path: Path | None) -> None:
+def eye_of(age: float, iris: str | None, pupil: float | None, spread: str | None, seed: int) -> "Eye":
+    """The eye that the options describe; ValueError for a spread unknown, or one that knows no iris."""
+    from skydome.scene import point_spread
+    from skydome.scene.eye import Eye
+    from skydome.scene.streaks import Needles
+
+    needles = Needles(seed=seed)
+    if spread is not None and spread not in SPREADS:
+        raise ValueError(f"--spread must be one of {', '.join(SPREADS)}, got {spread!r}")
+    if spread is None or (spread == "cie" and iris):
+        return Eye(age, iris, pupil, needles=needles)
+    if spread == "cie":
+        return Eye(age, "brown", pupil, needles=needles)
+    if iris is not None:
+        raise ValueError(f"--iris goes with --spread cie, which knows irises, got --spread {spread}")
+    chosen = None if spread == "stiles-holladay" else getattr(point_spread, spread.upper())
+    return Eye(age, pupil=pupil, spread=chosen, needles=needles)
+
+
+def refuse_picture(path: Path | None, exposure: float | None) -> None:
     """ValueError or OSError, before the work, for a picture that could not be written in the end."""
+    if exposure is not None and not 0 < exposure < float("inf"):
+        raise ValueError(f"--exposure must be positive and finite, got {exposure:g}")
     if path is None:
         return
     if path.suffix.lower() not in PICTURES:

@@ -9,7 +9,7 @@ from skydome.light.colour import RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.scene.bright_source import BrightSource, without_sources
 from skydome.scene.glow import Glow, disc_glow
-from skydome.scene.point_spread import PIGMENTS, CIETotal, PointSpread
+from skydome.scene.point_spread import PIGMENTS, CIETotal, PointSpread, StilesHolladay
 from skydome.scene.sphere_blur import blurred_map
 from skydome.scene.streaks import Needles
 from skydome.scene.view import Frame, View
@@ -55,31 +55,36 @@ class Seen:
 
 @dataclass(frozen=True)
 class Eye:
-    """An eye by `age`, years, 5-100, and `iris`: black, brown, green or blue. `pupil` in mm; None: by the light.
+    """An eye by `age`, years, 5-100, and perhaps `iris`: black, brown, green, blue. `pupil` in mm; None: by the light.
 
-    `spread` replaces CIE 135/1 by another spread, such as `PHOTOPIC` (Spencer et al.); `needles` may be None.
+    Its spread is `StilesHolladay`, the standard veil at that age, which knows no iris; where an iris is given, CIE
+    135/1, which does. `spread` replaces both, such as `PHOTOPIC` (Spencer et al.); `needles` may be None.
 
-    >>> Eye(age=60, iris="blue").own_spread
-    CIETotal(age=60, pigment=1.2)
+    >>> Eye(age=60).own_spread, Eye(age=60, iris="blue").own_spread
+    (StilesHolladay(age=60), CIETotal(age=60, pigment=1.2))
     """
 
     age: float = 35.0
-    iris: str = "brown"
+    iris: str | None = None
     pupil: float | None = None
     spread: PointSpread | None = None
     needles: Needles | None = field(default_factory=Needles)
 
     def __post_init__(self) -> None:
-        if self.iris not in PIGMENTS:
+        if self.iris is not None and self.iris not in PIGMENTS:
             raise ValueError(f"iris must be one of {', '.join(PIGMENTS)}, got {self.iris!r}")
         if self.pupil is not None and not 1 <= self.pupil <= 9:
             raise ValueError(f"pupil must lie in [1, 9] mm, got {self.pupil:g}")
-        CIETotal(self.age, PIGMENTS[self.iris])  # refuses an age out of range
+        if self.iris is not None and self.spread is not None:
+            raise ValueError(f"give an eye an iris or a spread, not both, got {self.iris!r} and {self.spread}")
+        CIETotal(self.age)  # refuses an age out of range
 
     @property
     def own_spread(self) -> PointSpread:
         """The spread of light in this eye."""
-        return CIETotal(self.age, PIGMENTS[self.iris]) if self.spread is None else self.spread
+        if self.spread is not None:
+            return self.spread
+        return StilesHolladay(self.age) if self.iris is None else CIETotal(self.age, PIGMENTS[self.iris])
 
     def glow(self, radius: float, luminance: float, space: RGBSpace) -> Glow:
         """How a disc of angular `radius`, radians, looks in a field of that luminance, cd m-2."""

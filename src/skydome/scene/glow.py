@@ -9,7 +9,7 @@ from skydome.ground.directions import angle_between, tangent_frame
 from skydome.ground.units import deg
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.scene.bright_source import BrightSource
-from skydome.scene.point_spread import FIELD, PointSpread, cap
+from skydome.scene.point_spread import FIELD, PointSpread, cap, ring_weights, rings
 from skydome.scene.streaks import Needles, halo_colours
 
 AFAR = 24.0  # radii of a disc from its middle, where it begins to count as a point
@@ -46,19 +46,57 @@ def disc_glow(spread: PointSpread, radius: float, halo: float = 0.0, space: RGBS
     """Angles (A,) from the middle of a disc and its glow there per lux, sr^-1, for red, green and blue (A, 3).
 
     Near the disc the spread is averaged over it, ring by ring: right however sharp its core is; beyond AFAR radii the
-    disc counts as a point (within 1e-3). A share `halo` of the light goes into the coloured lenticular halo instead.
+    disc counts as a point (within 1e-3). A share `halo` of the light goes into the coloured lenticular halo: out of the
+    same angles' light where the spread counts all scattered light, as far as there is enough, else out of all of it.
     """
     near, steps = steps_of_angle(radius)
     far = np.concatenate([np.geomspace(near[-1] * 1.01, FIELD, 400), [np.nextafter(FIELD, 2), np.pi]])
-    middle = (steps[1:] + steps[:-1]) / 2
-    light = np.repeat((1 - halo) * np.diff(spread.within(steps))[:, None], 3, axis=1)
-    beyond = np.repeat((1 - halo) * spread(far)[:, None], 3, axis=1)
     if halo:
         far = np.unique(np.concatenate([far, HALO_ANGLES[near[-1] < HALO_ANGLES]]))
-        beyond = (1 - halo) * spread(far)[:, None] + halo * halo_colours(far, space)
-        light += halo * halo_colours(middle, space) * np.diff(cap(steps))[:, None]
+    middle, solid_angle = (steps[1:] + steps[:-1]) / 2, np.diff(cap(steps))
+    colour = Colouring.of(spread, halo, space)
+    light = colour.of_rings(middle, np.diff(spread.within(steps)) / solid_angle) * solid_angle[:, None]
     within = share_of_circle(near[:, None], middle, radius) @ light / cap(np.float64(radius))
-    return np.concatenate([near, far]), np.concatenate([within, beyond])
+    return np.concatenate([near, far]), np.concatenate([within, colour.of_rings(far, spread(far))])
+
+
+@dataclass(frozen=True)
+class Colouring:
+    """How a spread is coloured by a `halo` that has a share of the light; the light of all angles together stays 1."""
+
+    halo: float
+    space: RGBSpace
+    replaces: bool
+    """True where the halo's luminance is taken out of the spread at the same angle."""
+    kept: float = 1.0
+    """What the rest of the spread is multiplied by."""
+
+    @classmethod
+    def of(cls, spread: PointSpread, halo: float, space: RGBSpace) -> "Colouring":
+        """The colouring that keeps the light of the spread."""
+        if not halo:
+            return cls(halo, space, False)
+        rough, angle = cls(halo, space, spread.holds_halo), rings()
+        taken = float(ring_weights(angle) @ rough.taken(rough.ring(angle), spread(angle)))
+        return cls(halo, space, spread.holds_halo, (1 - halo) / (1 - taken))
+
+    def ring(self, angle: np.ndarray) -> np.ndarray:
+        """The halo's light at angles (N,), sr^-1, (N, 3)."""
+        light: np.ndarray = self.halo * halo_colours(angle, self.space)
+        return light
+
+    def taken(self, ring: np.ndarray, plain: np.ndarray) -> np.ndarray:
+        """What the halo takes out of the spread `plain` (N,) where it stands, (N,)."""
+        taken: np.ndarray = np.minimum(ring @ self.space.to_xyz[1], plain) * self.replaces
+        return taken
+
+    def of_rings(self, angle: np.ndarray, plain: np.ndarray) -> np.ndarray:
+        """The spread `plain` at angles (N,), sr^-1, coloured, (N, 3)."""
+        if not self.halo:
+            return np.repeat(plain[:, None], 3, axis=1)
+        ring = self.ring(angle)
+        coloured: np.ndarray = self.kept * (plain - self.taken(ring, plain))[:, None] + ring
+        return coloured
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,6 +33,8 @@ class LensFlare:
             raise ValueError(f"a lens flare needs ghosts >= 1 and blades >= 3, got {self.ghosts} and {self.blades}")
         if self.strength < 0 or self.haze < 0 or self.strength + self.haze > 1:
             raise ValueError(f"strength and haze must be shares of the light, got {self.strength:g} and {self.haze:g}")
+        if self.seed < 0:
+            raise ValueError(f"seed of a lens flare must be 0 or more, got {self.seed}")
 
     def look(self, environment: EnvironmentMap, view: View) -> Seen:
         """The map as a camera sees it in a view, without and with the flare of its suns."""

@@ -42,6 +42,8 @@ class Needles:
     def __post_init__(self) -> None:
         if self.count < 1 or not 0 <= self.contrast <= 1:
             raise ValueError(f"needles need a count >= 1 and a contrast in [0, 1], got {self.count}, {self.contrast}")
+        if self.seed < 0:
+            raise ValueError(f"seed of the needles must be 0 or more, got {self.seed}")
 
     @property
     def angles(self) -> np.ndarray:
