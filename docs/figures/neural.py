@@ -99,7 +99,7 @@ def sizes():
         kernel = fast_network.compiled_kernel(folded)
         fast = ""
         if kernel is not None:
-            fast = f"{1e3 * quickest(lambda k=kernel, f=folded: fast_network.light_by_kernel(f, single, k, 1)):.1f}"
+            fast = f"{1e3 * quickest(lambda k=kernel, f=folded: fast_network.light_by_kernel(f, single, k)):.1f}"
         rows.append([name, network.bytes, f"{even.target:.4f}", f"{even.relative:.3f}", f"{even.irradiance:.1%}",
                      f"{1e3 * seconds:.0f}", fast])  # fmt: skip
     network, _ = shipped_network("hosek-wilkie-spectral")
@@ -126,7 +126,7 @@ def times():
     folded = sd.NeuralSky.load("hosek-wilkie", sun, 3.3).folded()
     kernel = fast_network.compiled_kernel(folded)
     network = quickest(lambda: fast_network.light_by_numpy(folded, single), 3)
-    fast = quickest(lambda: fast_network.light_by_kernel(folded, single, kernel, 1))
+    fast = quickest(lambda: fast_network.light_by_kernel(folded, single, kernel))
     rows = [["network, NumPy float32", f"{1e3 * network:.1f}", "", ""],
             ["network, compiled", f"{1e3 * fast:.1f}", "", ""]]  # fmt: skip
     for sky in (sd.Preetham(sun, 3.3), sd.HosekWilkieRGB(sun, 3.3, 0.5)):
@@ -149,7 +149,7 @@ def figure_5():
         errors.append(np.mean([validated(network, teacher).target for network in networks]))
         folded = sd.NeuralSky(sun, networks[0], 3.3).folded()
         kernel = fast_network.compiled_kernel(folded)
-        seconds.append(quickest(lambda f=folded, k=kernel: fast_network.light_by_kernel(f, single, k, 1)))
+        seconds.append(quickest(lambda f=folded, k=kernel: fast_network.light_by_kernel(f, single, k)))
     sheet = Figure(figsize=(9, 3.4), layout="constrained")
     FigureCanvasAgg(sheet)
     left, right = sheet.subplots(1, 2)

@@ -7,7 +7,6 @@ import pytest
 
 import skydome as sd
 from skydome.ground.quadrature import hemisphere
-from skydome.skies import fast_network
 from skydome.skies.network import OUTPUTS, Network
 from skydome.skies.network_files import load_network, save_network, shipped_network
 from skydome.skies.neural import NeuralSpectralSky
@@ -66,17 +65,6 @@ def test_single_precision_is_the_formula(name, sun):
     light = sky.rgb(VIEWS.astype(np.float32))
     assert light.dtype == np.float32
     np.testing.assert_allclose(light, exact, rtol=3e-4, atol=1e-4 * exact.max())
-
-
-@pytest.mark.parametrize("name", ["preetham", "hosek-wilkie", "hosek-wilkie-compact"])
-def test_kernel_is_the_formula(name):
-    pytest.importorskip("numba", reason="Numba is not installed")
-    network = sd.NeuralSky.load(name, SUN, turbidity=4.4).folded()
-    views, kernel = np.repeat(VIEWS, 30, axis=0).astype(np.float32), fast_network.compiled_kernel(network)
-    exact = fast_network.light_by_numpy(network, views)
-    for threads in (1, 3):
-        light = fast_network.light_by_kernel(network, views, kernel, threads)
-        np.testing.assert_allclose(light, exact, rtol=1e-4, atol=2e-5 * exact.max())
 
 
 @pytest.mark.parametrize("name", RGB_NETWORKS)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.integrals import colourless
+from skydome.dome.network_rows import NetworkLight, network_kernel, paint_network, rgb_network
 from skydome.dome.sky_rows import paint
 from skydome.ground.arrays import as_numpy
 from skydome.light.colour import RGBSpace, rgb_from_xyz, xyz_from_xyY
@@ -13,11 +14,15 @@ from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.combination import Combination
 from skydome.skies.daylight_sky import Daylight
 from skydome.skies.fast_light import Light, chosen, many_skies
+from skydome.skies.fast_network import light_by_kernel, light_by_numpy
 from skydome.skies.formula_sky import ColourFormulaSky, FormulaSky
 from skydome.skies.sky import ColourSky, Sky
 
 CHUNK = 1 << 17
 """Texels evaluated at a time in float64: about 25 MB of scratch memory."""
+
+Source = tuple[Sky, Light | NetworkLight | None, Any]
+"""A sky, its numbers where it is one of the nine-number formula or a network's, and the compiled module to take."""
 
 
 def rgb_light(sky: Sky, space: RGBSpace) -> Light | None:
@@ -49,12 +54,10 @@ def paint_rows(
 
     float32 pixels take the compiled kernels where the whole map is a large job.
     """
-    lights = [rgb_light(sky, space) for sky in skies]
-    texels = int(np.prod(projection.shape(height)))
     single = pixels.dtype == np.float32 and pixels.flags.c_contiguous
-    kernels = [chosen(3 * texels // 2, light.coefficients) if single and light else None for light in lights]
-    sources = list(zip(skies, lights, kernels, strict=True))
-    if isinstance(projection, Equirectangular) and lights and all(lights):
+    texels = int(np.prod(projection.shape(height)))
+    sources = [source_of(sky, space, texels if single else 0) for sky in skies]
+    if isinstance(projection, Equirectangular) and sources and all(has_rows(*source) for source in sources):
         paint_level_rows(pixels, sources, ground, projection, height, range(*rows.indices(height)))
         return
     step = max(1, CHUNK // pixels.shape[1])
@@ -65,9 +68,23 @@ def paint_rows(
         paint_texels(here, sources, ground, directions, valid, space)
 
 
+def source_of(sky: Sky, space: RGBSpace, texels: int) -> Source:
+    """A sky ready to be painted; `texels` of the whole float32 map, 0 for float64, which takes no network's numbers."""
+    light = rgb_light(sky, space)
+    if light is not None:
+        return sky, light, chosen(3 * texels // 2, light.coefficients) if texels else None
+    network = rgb_network(sky, space) if texels else None
+    return sky, network, None if network is None else network_kernel(network, texels // 2)
+
+
+def has_rows(sky: Sky, light: Light | NetworkLight | None, kernel: Any) -> bool:
+    """Whether a source can be painted by whole rows of an equirectangular map."""
+    return isinstance(light, Light) or (light is not None and kernel is not None)
+
+
 def paint_level_rows(
     pixels: np.ndarray,
-    sources: list[tuple[Sky, Any, Any]],
+    sources: list[Source],
     ground: np.ndarray,
     projection: Equirectangular,
     height: int,
@@ -85,14 +102,17 @@ def paint_level_rows(
             block = seen[start : start + step]
             here = range(rows.start + start, rows.start + start + len(block))
             target = block if index == 0 else np.empty_like(block)
-            paint(kernel, light, projection, height, here, target)
+            if isinstance(light, NetworkLight):
+                paint_network(kernel, light, projection, height, here, target)
+            elif light is not None:
+                paint(kernel, light, projection, height, here, target)
             if index:
                 block += target
 
 
 def paint_texels(
     pixels: np.ndarray,
-    sources: list[tuple[Sky, Any, Any]],
+    sources: list[Source],
     ground: np.ndarray,
     directions: np.ndarray,
     valid: np.ndarray,
@@ -111,8 +131,12 @@ def paint_texels(
     pixels[above] = np.broadcast_to(light, seen.shape).reshape(-1, 3)
 
 
-def rgb_of(sky: Sky, numbers: Light | None, kernel: Any, directions: np.ndarray, space: RGBSpace) -> np.ndarray:
-    """RGB toward directions (..., 3), by the compiled formula where there is a kernel."""
+def rgb_of(
+    sky: Sky, numbers: Light | NetworkLight | None, kernel: Any, directions: np.ndarray, space: RGBSpace
+) -> np.ndarray:
+    """RGB toward directions (..., 3), by the compiled formula or network where there is a kernel."""
+    if isinstance(numbers, NetworkLight):
+        return rgb_of_network(numbers, kernel, directions)
     if kernel is not None and numbers is not None:
         light = np.empty(directions.shape, np.float32)
         many_skies(kernel, numbers, directions.reshape(-1, 3), light)
@@ -120,3 +144,12 @@ def rgb_of(sky: Sky, numbers: Light | None, kernel: Any, directions: np.ndarray,
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
     return as_numpy(sky.rgb(directions, space))
+
+
+def rgb_of_network(light: NetworkLight, kernel: Any, directions: np.ndarray) -> np.ndarray:
+    """RGB of a neural sky toward directions (..., 3), float32."""
+    toward = directions.reshape(-1, 3).astype(np.float32)
+    if kernel is not None:
+        return light_by_kernel(light.network, toward, kernel, light.matrix).reshape(directions.shape)
+    shown = light_by_numpy(light.network, toward) @ light.matrix.T.astype(np.float32)
+    return shown.reshape(directions.shape)

@@ -1,31 +1,47 @@
 """Light of one neural sky toward many float32 directions: blocks of NumPy, or the compiled kernel where it pays."""
 
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from skydome.skies.network_folding import Folded
+from skydome.skies.fast_light import shared
+from skydome.skies.network_folding import INPUTS, OF_THE_ROW, Folded, columns_of, steadied
 
-LEAST_DIRECTIONS = 1 << 16
+LEAST_DIRECTIONS = 1 << 17
 """Fewer directions than this take NumPy and do not wait for a compiler."""
 BLOCK = 2048
-KERNEL_INPUTS = ("east", "north", "view_z", "distance", "sqrt_distance", "sqrt_up", "inverse_up")
+KERNEL_INPUTS = (
+    "east", "north", "view_z", "distance", "sqrt_distance", "log_distance", "cos_angle",
+    "sqrt_up", "log_up", "inverse_up",
+)  # fmt: skip
+"""What the kernel knows, in the order of its codes."""
+KERNEL_OUTPUTS = ("rational", "exponential")
+LARGEST_SUM = 1e4
+"""The kernel multiplies four neurons' 1 + x^2 before it divides: with sums up to here the product is a float32."""
 
-Columns = dict[str, np.ndarray]
-INPUTS: dict[str, Callable[[Columns], np.ndarray]] = {
-    "east": lambda v: v["x"],
-    "north": lambda v: v["y"],
-    "view_z": lambda v: v["up"],
-    "distance": lambda v: v["distance"],
-    "sqrt_up": lambda v: np.sqrt(v["up"]),
-    "log_up": lambda v: np.log(v["up"] + np.float32(0.02)),
-    "inverse_up": lambda v: 1 / (v["up"] + np.float32(0.1)),
-    "sqrt_distance": lambda v: np.sqrt(v["distance"]),
-    "log_distance": lambda v: np.log(v["distance"] + np.float32(0.05)),
-    "cos_angle": lambda v: 1 - v["distance"] ** 2 / 2,
-}
+
+class Prepared(NamedTuple):
+    """A network as the kernel reads it: codes of its inputs, padded widths, weights and biases in a row, and output."""
+
+    codes: np.ndarray
+    widths: np.ndarray
+    weights: np.ndarray
+    biases: np.ndarray
+    outputs: int
+    exponential: bool
+    scale: np.float32
+    held: np.float32
+    matrix: np.ndarray
+
+    @property
+    def size(self) -> int:
+        """Numbers of light in each direction."""
+        return len(self.matrix) if self.matrix.size else self.outputs
+
+    def scratch(self, kernel: Any) -> np.ndarray:
+        """Scratch memory for the kernel."""
+        most = max(int(self.widths.max()), len(self.matrix))
+        return np.zeros((4 + 2 * most) * kernel.BLOCK, np.float32)
 
 
 def single(network: Folded) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -33,20 +49,67 @@ def single(network: Folded) -> list[tuple[np.ndarray, np.ndarray]]:
     return [(np.ascontiguousarray(w, np.float32), np.ascontiguousarray(b, np.float32)) for w, b in network.layers]
 
 
-def light_toward(network: Folded, directions: np.ndarray, threads: int | None = None) -> np.ndarray:
-    """Light toward float32 directions (N, 3), float32 (N, outputs); 0 below the horizon.
+def fours(count: int) -> int:
+    """The next whole multiple of four."""
+    return -(-count // 4) * 4
 
-    Single precision: relative error about 1e-5 of the sky's brightest. `threads` None: as many as processors.
+
+def prepared(network: Folded, matrix: np.ndarray | None = None) -> Prepared:
+    """The network for the kernel, hidden layers and inputs padded with zeros to whole fours; its light times `matrix`.
+
+    The exponential's log2 e, or the square's half, go into the last layer.
+    """
+    exponential = network.output.name == "exponential"
+    gain = np.log2(np.e) if exponential else np.sqrt(0.5)
+    widths, weights, biases = [fours(len(network.inputs))], [], []
+    for depth, (w, b) in enumerate(network.layers):
+        rows, factor = fours(len(b)), gain if depth + 1 == len(network.layers) else 1.0
+        wide = np.pad(factor * w, ((0, rows - len(b)), (0, widths[-1] - w.shape[1])))
+        weights.append(wide.reshape(rows // 4, 4, -1, 4).swapaxes(1, 2).reshape(-1))  # tiles of four by four
+        biases.append(np.pad(factor * b, (0, rows - len(b))))
+        widths.append(rows)
+    codes = [KERNEL_INPUTS.index(name) for name in network.inputs]
+    scale, matrix = split(network.scale, matrix)
+    return Prepared(
+        np.array(codes, np.int64),
+        np.array(widths, np.int64),
+        np.concatenate(weights).astype(np.float32),
+        np.concatenate(biases).astype(np.float32),
+        len(network.layers[-1][1]),
+        exponential,
+        np.float32(scale),
+        np.float32(30 * np.log2(np.e)),
+        np.ascontiguousarray(matrix, np.float32),
+    )
+
+
+def split(scale: float, matrix: np.ndarray | None) -> tuple[float, np.ndarray]:
+    """Scale and matrix; an empty one, where it is but a number times the unit matrix, which the scale takes up."""
+    none = np.zeros((0, 0))
+    if matrix is None:
+        return scale, none
+    rows, columns = matrix.shape
+    if rows == columns and (matrix == matrix[0, 0] * np.eye(rows)).all():
+        return scale * float(matrix[0, 0]), none
+    return scale, matrix
+
+
+def light_toward(network: Folded, directions: np.ndarray, matrix: np.ndarray | None = None) -> np.ndarray:
+    """Light toward float32 directions (N, 3), float32 (N, outputs), times `matrix` (K, outputs); 0 below the horizon.
+
+    Single precision: an error of about 1e-6 of the sky's brightest.
     """
     kernel = compiled_kernel(network) if len(directions) >= LEAST_DIRECTIONS else None
-    if kernel is None:
-        return light_by_numpy(network, directions)
-    return light_by_kernel(network, directions, kernel, threads)
+    if kernel is not None:
+        return light_by_kernel(network, directions, kernel, matrix)
+    light = light_by_numpy(network, directions)
+    return light if matrix is None else light @ matrix.T.astype(np.float32)
 
 
 def compiled_kernel(network: Folded) -> Any:
     """The compiled module, None where Numba is missing or the network is not of its kind."""
-    if len(network.layers) != 2 or any(name not in KERNEL_INPUTS for name in network.inputs):
+    known = all(name in KERNEL_INPUTS for name in network.inputs) and network.output.name in KERNEL_OUTPUTS
+    if not known or len(network.layers) < 2 or largest_sum(network) > LARGEST_SUM:
         return None
     try:
         from skydome.skies import network_kernel
@@ -55,13 +118,21 @@ def compiled_kernel(network: Folded) -> Any:
     return network_kernel
 
 
+def largest_sum(network: Folded) -> float:
+    """A bound on the sums of hidden neurons, from inputs of at most 10 and signals of at most 1."""
+    reach = [10.0] + [1.0] * len(network.layers)
+    sums = [np.abs(w).sum(axis=1) * most + np.abs(b) for (w, b), most in zip(network.layers[:-1], reach, strict=False)]
+    return float(max(each.max() for each in sums))
+
+
 def light_by_numpy(network: Folded, directions: np.ndarray) -> np.ndarray:
     """The same in blocks that stay in the processor's cache."""
     layers, sun = single(network), network.sun.astype(np.float32)
     light = np.empty((len(directions), layers[-1][1].size), np.float32)
     for start in range(0, len(directions), BLOCK):
         part = directions[start : start + BLOCK]
-        signal = np.stack([INPUTS[name](columns_of(part, sun)) for name in network.inputs])
+        columns = columns_of(part, sun)
+        signal = np.stack([INPUTS[name](columns) for name in network.inputs])
         for k, (weights, biases) in enumerate(layers):
             signal = weights @ signal
             signal += biases[:, None]
@@ -74,36 +145,32 @@ def light_by_numpy(network: Folded, directions: np.ndarray) -> np.ndarray:
     return light
 
 
-def columns_of(directions: np.ndarray, sun: np.ndarray) -> Columns:
-    """Components, height and distance to the sun of directions (n, 3), each (n,)."""
-    x, y, z = directions.T
-    distance = np.sqrt((x - sun[0]) ** 2 + (y - sun[1]) ** 2 + (z - sun[2]) ** 2)
-    return {"x": x, "y": y, "up": np.maximum(z, np.float32(0)), "distance": distance}
-
-
-def light_by_kernel(network: Folded, directions: np.ndarray, kernel: Any, threads: int | None = None) -> np.ndarray:
+def light_by_kernel(
+    network: Folded, directions: np.ndarray, kernel: Any, matrix: np.ndarray | None = None
+) -> np.ndarray:
     """The same compiled, shared among threads."""
-    import os
+    ready, count = prepared(steadied(network), matrix), len(directions)
+    toward = np.ascontiguousarray(directions, np.float32).reshape(-1)
+    light, sun = np.empty((count, ready.size), np.float32), network.sun.astype(np.float32)
 
-    (first, start), (last, end) = single(network)
-    wide = np.zeros((len(first), len(KERNEL_INPUTS)), np.float32)
-    for name, column in zip(network.inputs, first.T, strict=True):
-        wide[:, KERNEL_INPUTS.index(name)] = column
-    used = np.abs(wide).max(axis=0) > 0
-    directions, sun = np.ascontiguousarray(directions), network.sun.astype(np.float32)
-    exponential, scale = network.output.name == "exponential", np.float32(network.scale)
-    light = np.empty((len(directions), len(last)), np.float32)
-    threads = threads or os.cpu_count() or 1
-    edges = np.linspace(0, len(directions), threads + 1).astype(int)
+    def job(first: int, last: int) -> None:
+        kernel.shine(first, last, toward, sun, ready, ready.scratch(kernel), light.reshape(-1))
 
-    def piece(k: int) -> None:
-        part = slice(edges[k], edges[k + 1])
-        work = np.empty((len(KERNEL_INPUTS) + len(first) + len(last), BLOCK), np.float32)
-        kernel.shine(directions[part], sun, wide, used, start, last, end, exponential, scale, work, light[part])
-
-    if threads == 1:
-        piece(0)
-        return light
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(piece, range(threads)))
+    shared(job, count, light.size)
     return light
+
+
+def row_biases(network: Folded, cosine: np.ndarray) -> tuple[Folded, np.ndarray]:
+    """The network without what is the same along a row, and the first layer's biases with it, (r, hidden).
+
+    `cosine` (r,): cosines of the rows' zenith angles.
+    """
+    (weights, biases), rest = network.layers[0], network.layers[1:]
+    of_row = [k for k, name in enumerate(network.inputs) if name in OF_THE_ROW]
+    left = [k for k in range(len(network.inputs)) if k not in of_row]
+    heights = [INPUTS[network.inputs[k]]({"up": cosine}) for k in of_row]
+    lifted = biases + sum(np.outer(h, weights[:, k]) for h, k in zip(heights, of_row, strict=True))
+    inputs = tuple(network.inputs[k] for k in left)
+    rows = np.broadcast_to(lifted, (len(cosine), len(biases)))
+    layers = ((weights[:, left], biases), *rest)
+    return Folded(inputs, layers, network.output, network.scale, network.sun), rows

@@ -1,0 +1,93 @@
+"""Rows of an equirectangular map of one neural sky: what a row shares goes into the biases, its mirror half is copied.
+
+The distance to the sun is a number of the row plus one of the row times one of the column (see `sky_rows`). Networks
+that tell left of the sun from right (the published inputs have a view_y) are evaluated on every column, others on half.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from skydome.dome.sky_rows import columns_from_sun
+from skydome.ground.arrays import as_numpy
+from skydome.ground.directions import azimuth, zenith_angle
+from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
+from skydome.light.spectrum import xyz_weights
+from skydome.maps.equirectangular import Equirectangular
+from skydome.skies.combination import Combination
+from skydome.skies.fast_light import shared
+from skydome.skies.fast_network import LEAST_DIRECTIONS, compiled_kernel, prepared, row_biases
+from skydome.skies.network_folding import Folded, steadied
+from skydome.skies.neural import NeuralForm, NeuralSky, NeuralSpectralSky
+from skydome.skies.sky import Sky
+
+
+class NetworkLight(NamedTuple):
+    """A network under one sky, and the matrix (3, outputs) from its light to RGB."""
+
+    network: Folded
+    matrix: np.ndarray
+
+
+def rgb_network(sky: Sky, space: RGBSpace) -> NetworkLight | None:
+    """The network of one neural sky by day, also of one multiplied; None for others."""
+    factor: Any = 1.0
+    while isinstance(sky, Combination) and len(sky.members) == 1:
+        factor, sky = factor * sky.weights[0], sky.members[0]
+    if not isinstance(sky, NeuralForm) or not sky.is_one_numpy_sky:
+        return None
+    return NetworkLight(sky.folded(), float(as_numpy(factor)) * rgb_matrix(sky, space))
+
+
+def rgb_matrix(sky: NeuralForm, space: RGBSpace) -> np.ndarray:
+    """What takes a neural sky's outputs to RGB, (3, outputs)."""
+    if isinstance(sky, NeuralSky) and space is SRGB:
+        return np.eye(3)
+    if isinstance(sky, NeuralSky):
+        return np.asarray(rgb_from_xyz(xyz_from_rgb(np.eye(3)), space)).T
+    assert isinstance(sky, NeuralSpectralSky)
+    return np.asarray(rgb_from_xyz(xyz_weights(sky.bands), space)).T
+
+
+def map_columns(network: Folded, projection: Equirectangular, height: int) -> tuple[np.ndarray, np.ndarray]:
+    """Columns (3, n) and segments (s, 4) as the kernel reads them: half of the columns where the sky is symmetric."""
+    if "east" not in network.inputs:
+        symmetric = columns_from_sun(projection, height, network.sun)
+        turn = symmetric.turn[0]
+        return np.stack([turn, 0 * turn, 0 * turn]), symmetric.segments
+    width = 2 * height
+    angles = projection.azimuths(np.arange(width) + 0.5, height)
+    turn = 2 * np.sin((angles - float(azimuth(network.sun))) / 2) ** 2
+    return np.stack([turn, np.sin(angles), np.cos(angles)]), np.array([(0, width, 0, -1)])
+
+
+def row_numbers(network: Folded, height: int, rows: range) -> tuple[np.ndarray, np.ndarray]:
+    """Of each row above the horizon: cos t (r,), and 1 - cos(t - ts), sin t sin ts, sin t (r, 3)."""
+    zenith = np.pi * (np.arange(rows.start, rows.stop) + 0.5) / height
+    sun = float(zenith_angle(network.sun))
+    level = np.sin(zenith)
+    return np.sin(np.pi / 2 - zenith), np.stack([2 * np.sin((zenith - sun) / 2) ** 2, level * np.sin(sun), level], -1)
+
+
+def network_kernel(light: NetworkLight, texels: int) -> Any:
+    """The compiled networks' module where a map of so many texels of sky should take it, else None."""
+    return compiled_kernel(light.network) if texels >= LEAST_DIRECTIONS else None
+
+
+def paint_network(
+    kernel: Any, light: NetworkLight, projection: Equirectangular, height: int, rows: range, out: np.ndarray
+) -> None:
+    """Write one neural sky's light into `out` (r, W, 3), contiguous float32: given rows, all above the horizon."""
+    cosine, numbers = row_numbers(light.network, height, rows)
+    along, biases = row_biases(steadied(light.network), cosine)
+    ready = prepared(along, light.matrix)
+    columns, segments = map_columns(light.network, projection, height)
+    lifted = np.zeros((len(biases), int(ready.widths[1])), np.float32)
+    lifted[:, : biases.shape[1]] = biases
+    numbers, columns = numbers.astype(np.float32), columns.astype(np.float32)
+    flat, width = out.reshape(-1), out.shape[1]
+
+    def job(first: int, last: int) -> None:
+        kernel.whole_map(first, last, numbers, lifted, columns, segments, ready, ready.scratch(kernel), width, flat)
+
+    shared(job, len(numbers), out.size)
