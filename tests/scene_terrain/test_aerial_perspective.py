@@ -148,6 +148,17 @@ def test_far_rays_take_the_light_of_the_horizon_of_a_physical_sky(turbidity, ele
     assert far @ to_luminance == pytest.approx(horizon @ to_luminance, rel=0.07 if elevation == 5 else 0.025)
 
 
+@pytest.mark.parametrize("elevation", [20, 45, 70])
+@pytest.mark.parametrize("turbidity", [3.0, 6.0])
+def test_far_rays_have_the_mean_luminance_of_preethams_horizon_where_it_fits(turbidity, elevation):
+    """Within 15 % over a ground of albedo .1; not at turbidity 2, nor for low suns: see the next test."""
+    sun = sd.direction(azimuth=180 * deg, elevation=elevation * deg)
+    sky = sd.Preetham(sun, turbidity)
+    air = AirLight(sky + sd.PreethamSun(sun, turbidity), ground_albedo=0.1)
+    far = xyz_from_rgb(air.at(1e6, HORIZON * [1, 1, 0]).inscattered)
+    assert far[:, 1].mean() == pytest.approx(sky.xyz(HORIZON)[:, 1].mean(), rel=0.15)
+
+
 @pytest.mark.parametrize(("elevation", "least", "most"), [(5, 0.3, 0.5), (20, 0.55, 1.0), (45, 0.6, 1.05)])
 def test_published_sky_is_brighter_than_its_own_air_allows(elevation, least, most):
     """Why luminance does not tend to Preetham's horizon at turbidity 2 and low suns: the fit is too bright there."""
