@@ -151,6 +151,15 @@ class NeuralModel(Model):
         return super().parameters(options) | {"network": read_network(self.fixed["network"])}
 
 
+def model_of_file(path: str) -> Model:
+    """The model of a network file of the user's own (`skydome train`); ValueError for what is none."""
+    from skydome.skies.network_files import load_network
+
+    bands = load_network(path)[0].bands
+    kind, takes = ("NeuralSpectralSky", ("turbidity", "albedo")) if bands else ("NeuralSky", ("turbidity",))
+    return NeuralModel(path, kind, takes, fixed={"network": path}, own_sun=True)
+
+
 def letters(model: str, text: str | None) -> tuple[float, ...]:
     """Perez's five letters."""
     if text is None:
@@ -210,7 +219,9 @@ def all_models() -> "tuple[Model, ...]":
 
 
 def model_named(name: str) -> Model:
-    """The model by name; ValueError with the nearest names there are."""
+    """The model by name, or of a network file (.safetensors); ValueError with the nearest names there are."""
+    if name.endswith(".safetensors"):
+        return model_of_file(name)
     known = {model.name: model for model in all_models()}
     if name not in known:
         near = get_close_matches(name, known, n=2)

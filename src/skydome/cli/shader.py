@@ -16,15 +16,16 @@ def shader(
     options: SkyOptions,
     lang: Annotated[str, Option(metavar="glsl|wgsl|hlsl|osl|c", help="The shading language.")] = "glsl",
     scale: Annotated[float, Option(help="Value of 1 cd m-2; 1e-4 suits a game exposed for noon.")] = 1.0,
+    bands: Annotated[bool, Option("--bands", help="A spectral network's bands, W m-2 sr-1 nm-1, not RGB.")] = False,
     output: Annotated[Path | None, Option("--output", "-o", help="File; stdout without it.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Write a sky, without the sun's disc, as shader source: skydome_rgb(direction)."""
+    """Write a sky, without the sun's disc, as shader source: skydome_rgb(direction), or skydome_bands."""
     import skydome as sd
     from skydome.ground.writing import appearing
 
     scene = scene_of(options)
-    source = sd.shader(scene.sky, lang, scale=scale)
+    source = sd.shader(scene.sky, lang, scale=scale, bands=bands)
     if output is None and not as_json:
         sys.stdout.write(source)
         return

@@ -11,14 +11,13 @@ import numpy as np
 from skydome.dome.sky_rows import columns_from_sun
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import azimuth, zenith_angle
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
-from skydome.light.spectrum import xyz_weights
+from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
 from skydome.skies.combination import Combination
 from skydome.skies.fast_light import shared
 from skydome.skies.fast_network import LEAST_DIRECTIONS, compiled_kernel, prepared, row_biases
 from skydome.skies.network_folding import Folded, steadied
-from skydome.skies.neural import NeuralForm, NeuralSky, NeuralSpectralSky
+from skydome.skies.neural import NeuralForm
 from skydome.skies.sky import Sky
 
 
@@ -36,17 +35,7 @@ def rgb_network(sky: Sky, space: RGBSpace) -> NetworkLight | None:
         factor, sky = factor * sky.weights[0], sky.members[0]
     if not isinstance(sky, NeuralForm) or not sky.is_one_numpy_sky:
         return None
-    return NetworkLight(sky.folded(), float(as_numpy(factor)) * rgb_matrix(sky, space))
-
-
-def rgb_matrix(sky: NeuralForm, space: RGBSpace) -> np.ndarray:
-    """What takes a neural sky's outputs to RGB, (3, outputs)."""
-    if isinstance(sky, NeuralSky) and space is SRGB:
-        return np.eye(3)
-    if isinstance(sky, NeuralSky):
-        return np.asarray(rgb_from_xyz(xyz_from_rgb(np.eye(3)), space)).T
-    assert isinstance(sky, NeuralSpectralSky)
-    return np.asarray(rgb_from_xyz(xyz_weights(sky.bands), space)).T
+    return NetworkLight(sky.folded(), float(as_numpy(factor)) * sky.rgb_matrix(space))
 
 
 def map_columns(network: Folded, projection: Equirectangular, height: int) -> tuple[np.ndarray, np.ndarray]:

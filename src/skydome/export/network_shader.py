@@ -1,13 +1,11 @@
 """A neural sky as shader code: the network under one sky, its numbers as constants of a function of direction."""
 
-import numpy as np
-
 from skydome.export.formula_shader import mixed, weighted
 from skydome.export.shader_languages import Language, number
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
+from skydome.light.colour import RGBSpace
 from skydome.skies.network import ExponentialOutput
-from skydome.skies.network_folding import Folded
-from skydome.skies.neural import NeuralSky
+from skydome.skies.network_folding import Folded, steadied
+from skydome.skies.neural import NeuralForm, NeuralSpectralSky
 
 Lines = list[tuple[str, str]]
 INPUTS = {
@@ -24,12 +22,29 @@ INPUTS = {
 }
 
 
-def network_shader(sky: NeuralSky, language: Language, scale: float, space: RGBSpace) -> list[str]:
-    """The functions of a neural sky, in order; ValueError for more than one condition."""
-    network = sky.folded()
-    body = [*view(language, network), *hidden_layers(network), *outputs(network, scale, space)]
+def network_shader(sky: NeuralForm, language: Language, scale: float, space: RGBSpace) -> list[str]:
+    """The functions of a neural sky's RGB, in order; ValueError for more than one condition."""
+    matrix = scale * sky.rgb_matrix(space)
+    seen = [k for k in range(matrix.shape[1]) if matrix[:, k].any()]  # bands that the eye does not see are left out
+    neuron, lines, network = lights(sky, language, seen)
+    colours = mixed(network.scale * matrix[:, seen], [f"light{k}" for k in seen])
+    return [neuron, language.colour_function("skydome_rgb", lines + colours, ("red", "green", "blue"))]
+
+
+def bands_shader(sky: NeuralSpectralSky, language: Language, scale: float) -> list[str]:
+    """The functions of a spectral network's bands, in order; ValueError for more than one condition."""
+    every = list(range(len(sky.bands)))
+    neuron, lines, network = lights(sky, language, every)
+    factor = number(scale * network.scale)
+    bands = [(f"band{k}", f"seen * {factor} * light{k}") for k in every]
+    return [neuron, language.many_function("skydome_bands", lines + bands, [name for name, _ in bands])]
+
+
+def lights(sky: NeuralForm, language: Language, some: list[int]) -> tuple[str, Lines, Folded]:
+    """The function of a neuron, the constants light0, light1 ... of some of the outputs, and the network."""
+    network = steadied(sky.folded())
     neuron = language.scalar_function("skydome_neuron", ["sum"], [], "1.0 / (1.0 + sum * sum)")
-    return [neuron, language.colour_function("skydome_rgb", body, ("red", "green", "blue"))]
+    return neuron, [*view(language, network), *hidden_layers(network), *outputs(network, some)], network
 
 
 def view(language: Language, network: Folded) -> Lines:
@@ -56,15 +71,14 @@ def hidden_layers(network: Folded) -> Lines:
     return lines
 
 
-def outputs(network: Folded, scale: float, space: RGBSpace) -> Lines:
-    """The light of each output in linear sRGB, then red, green and blue of the colour space."""
+def outputs(network: Folded, some: list[int]) -> Lines:
+    """The light of some outputs, light0, light1 ... in units of the network's scale."""
     weights, biases = network.layers[-1]
     names = [f"layer{len(network.layers) - 2}_{k}" for k in range(weights.shape[1])]
     lines: Lines = []
-    for k, (row, bias) in enumerate(zip(weights, biases, strict=True)):
-        lines.append((f"sum{k}", f"{number(bias)} + {weighted(row, names)}"))
+    for k in some:
+        lines.append((f"sum{k}", f"{number(biases[k])} + {weighted(weights[k], names)}"))
         exponential = isinstance(network.output, ExponentialOutput)
         held = f"exp(max(-30.0, min(30.0, sum{k})))"
         lines.append((f"light{k}", held if exponential else f"0.5 * sum{k} * sum{k}"))
-    matrix = np.eye(3) if space is SRGB else rgb_from_xyz(xyz_from_rgb(np.eye(3)), space).T
-    return lines + mixed(scale * network.scale * matrix, ["light0", "light1", "light2"])
+    return lines

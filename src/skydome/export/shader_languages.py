@@ -13,7 +13,8 @@ class Language:
     """How a language spells what the generated code needs.
 
     `let` declares a constant, `scalar` heads a function of numbers that returns one, `colour` heads the function of a
-    direction, `answer` returns three numbers. `direction` spells the components of the direction.
+    direction, `answer` returns three numbers. `direction` spells the components of the direction. `many` heads a
+    function of a direction to `count` numbers, which `put` writes one by one, or `together` returns.
     """
 
     name: str
@@ -24,6 +25,9 @@ class Language:
     colour: str
     answer: str
     direction: tuple[str, str, str]
+    many: str
+    put: str = "values[{k}] = {value};"
+    together: str = ""
     suffix: str = ""
     functions: tuple[tuple[str, str], ...] = ()
 
@@ -51,6 +55,15 @@ class Language:
         answer = "    " + self.spelled(self.answer.format(r=result[0], g=result[1], b=result[2]))
         return "\n".join([f"{self.colour.format(name=name)} {{", *body, answer, "}"])
 
+    def many_function(self, name: str, lines: list[tuple[str, str]], results: list[str]) -> str:
+        """The function of a direction to many numbers: constants by name and expression, then the numbers."""
+        body = [self.constant(*line) for line in lines]
+        answers = [self.put.format(k=k, value=result) for k, result in enumerate(results)]
+        if self.together:
+            answers = [self.together.format(count=len(results), all=", ".join(results))]
+        answers = ["    " + self.spelled(answer) for answer in answers]
+        return "\n".join([f"{self.many.format(name=name, count=len(results))} {{", *body, *answers, "}"])
+
 
 XYZ = ("direction.x", "direction.y", "direction.z")
 INDEXED = ("direction[0]", "direction[1]", "direction[2]")
@@ -59,26 +72,31 @@ GLSL = Language(
     name="glsl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="vec3 {name}(vec3 direction)",
     answer="return vec3({r}, {g}, {b});", direction=XYZ,
+    many="void {name}(vec3 direction, out float values[{count}])",
 )  # fmt: skip
 HLSL = Language(
     name="hlsl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="float3 {name}(float3 direction)",
     answer="return float3({r}, {g}, {b});", direction=XYZ,
+    many="void {name}(float3 direction, out float values[{count}])",
 )  # fmt: skip
 WGSL = Language(
     name="wgsl", comment="//", let="let {name} = {expression};", argument="{name}: f32",
     scalar="fn {name}({arguments}) -> f32", colour="fn {name}(direction: vec3<f32>) -> vec3<f32>",
     answer="return vec3<f32>({r}, {g}, {b});", direction=XYZ,
+    many="fn {name}(direction: vec3<f32>) -> array<f32, {count}>", together="return array<f32, {count}>({all});",
 )  # fmt: skip
 OSL = Language(
     name="osl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="color {name}(vector direction)",
     answer="return color({r}, {g}, {b});", direction=INDEXED,
+    many="void {name}(vector direction, output float values[{count}])",
 )  # fmt: skip
 C = Language(
     name="c", comment="//", let="const float {name} = {expression};", argument="float {name}",
     scalar="static float {name}({arguments})", colour="void {name}(const float direction[3], float rgb[3])",
     answer="rgb[0] = {r}; rgb[1] = {g}; rgb[2] = {b};", direction=INDEXED, suffix="f",
+    many="void {name}(const float direction[3], float values[{count}])",
     functions=tuple(C_FUNCTIONS.items()),
 )  # fmt: skip
 

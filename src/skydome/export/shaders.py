@@ -1,24 +1,28 @@
-"""Skies as shader source: one function from a direction to linear RGB, in GLSL, WGSL, HLSL, OSL or C."""
+"""Skies as shader source: one function from a direction to linear RGB, or bands, in GLSL, WGSL, HLSL, OSL or C."""
 
 import json
+import math
+
+import numpy as np
 
 import skydome
 from skydome.export.formula_shader import formula_shader
-from skydome.export.network_shader import network_shader
+from skydome.export.network_shader import bands_shader, network_shader
 from skydome.export.shader_languages import language
+from skydome.ground.arrays import as_numpy
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.skies.neural import NeuralSky
+from skydome.skies.neural import NeuralForm, NeuralSpectralSky
 from skydome.skies.sky import Sky
 
 
-def shader(sky: Sky, lang: str = "glsl", *, scale: float = 1.0, space: RGBSpace = SRGB) -> str:
+def shader(sky: Sky, lang: str = "glsl", *, scale: float = 1.0, space: RGBSpace = SRGB, bands: bool = False) -> str:
     """Source of `skydome_rgb(direction)`: linear RGB of the sky toward a unit vector (x east, y north, z up).
 
     (1, 1, 1) means 1 / `scale` cd m-2: games that expose for noon take scale = 1e-4 or so. 0 below the horizon (over
     the last millionth of the way, so that rounding does not blacken it); without the sun's disc. `lang` is glsl, wgsl,
-    hlsl, osl or c. Skies of the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie) and `NeuralSky`; TypeError for
-    others,
-    ValueError for a sky of more than one condition, or at night.
+    hlsl, osl or c. Skies of the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie) and neural skies; TypeError
+    for others, ValueError for a sky of more than one condition, or at night. With `bands`, for a spectral network:
+    `skydome_bands`, the spectral radiance in each of its bands, 1 meaning 1 / `scale` W m-2 sr-1 nm-1.
 
     >>> import skydome as sd
     >>> code = sd.shader(sd.HosekWilkieRGB(sd.direction(azimuth=1.0, elevation=0.7), turbidity=3.0), "wgsl")
@@ -26,18 +30,32 @@ def shader(sky: Sky, lang: str = "glsl", *, scale: float = 1.0, space: RGBSpace 
     True
     """
     spelling = language(lang)
-    if not bool(sky.is_day):
+    if not 0 < scale < math.inf:
+        raise ValueError(f"scale must be positive and finite, got {scale}")
+    if not np.all(as_numpy(sky.is_day)):
         raise ValueError("the sun is below the horizon: this sky is black, and no shader is needed")
-    if isinstance(sky, NeuralSky):
-        functions = network_shader(sky, spelling, scale, space)
+    if bands:
+        functions, meaning = bands_shader(spectral(sky), spelling, scale), meaning_of_bands(spectral(sky), scale)
     else:
-        functions = formula_shader(sky, spelling, scale, space)
-    parameters = json.dumps(sky.parameters())
-    head = [
-        f"{spelling.comment} skydome {skydome.__version__}: {parameters}",
-        f"{spelling.comment} Linear {space.name} toward a unit vector, x east, y north, z up;"
-        f" (1, 1, 1) = {1 / scale:g} cd m-2.",
-    ]
+        form = network_shader(sky, spelling, scale, space) if isinstance(sky, NeuralForm) else None
+        functions = form or formula_shader(sky, spelling, scale, space)
+        meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
+    head = [f"skydome {skydome.__version__}: {json.dumps(sky.parameters())}", meaning]
+    head = [f"{spelling.comment} {line}" for line in head]
     if lang == "c":
         head.append("#include <math.h>")
     return "\n".join(head) + "\n\n" + "\n\n".join(functions) + "\n"
+
+
+def spectral(sky: Sky) -> NeuralSpectralSky:
+    """The sky itself; TypeError unless it is a spectral network's."""
+    if not isinstance(sky, NeuralSpectralSky):
+        raise TypeError(f"bands are those of a spectral network (NeuralSpectralSky), got {type(sky).__name__}")
+    return sky
+
+
+def meaning_of_bands(sky: NeuralSpectralSky, scale: float) -> str:
+    """What the numbers of `skydome_bands` are, in one line."""
+    wavelengths = ", ".join(f"{band:g}" for band in sky.bands)
+    unit = f"1 = {1 / scale:g} W m-2 sr-1 nm-1"
+    return f"Spectral radiance at {wavelengths} nm toward a unit vector, x east, y north, z up; {unit}."

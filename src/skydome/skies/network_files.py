@@ -39,6 +39,8 @@ def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:
     from safetensors import SafetensorError, safe_open
 
     file = Path(path)
+    if not file.is_file():
+        raise FileNotFoundError(f"the network file must exist, got {path}")
     if file.stat().st_size > MOST_BYTES:
         raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
     try:

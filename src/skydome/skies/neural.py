@@ -1,5 +1,6 @@
 """The neural sky of Satilmis et al. (2017): a sky in 492 bytes, and wider and spectral ones."""
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, ClassVar
@@ -9,6 +10,7 @@ import numpy as np
 from skydome.ground.arrays import Array, as_numpy, floating, is_numpy, limited, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
+from skydome.light.spectrum import xyz_weights
 from skydome.skies.network import Network, conditions, features
 from skydome.skies.network_files import load_network, shipped_network
 from skydome.skies.network_folding import Folded, folded
@@ -62,6 +64,10 @@ class NeuralForm(Sky):
         turbidity, albedo = (as_numpy(floating(value)) for value in (self.turbidity, self.albedo))
         return folded(self.network, self.sun, np.clip(turbidity, 1.0, 10.0), np.clip(albedo, 0.0, 1.0))
 
+    @abstractmethod
+    def rgb_matrix(self, space: RGBSpace = SRGB) -> np.ndarray:
+        """What takes the network's outputs to linear RGB with white of 1 cd m-2 being (1, 1, 1), (3, outputs)."""
+
     def parameters(self) -> dict[str, Any]:
         """Parameters for provenance; the network by its inputs and size."""
         network = f"{len(self.network.features)} inputs, {self.network.bytes} bytes"
@@ -93,6 +99,10 @@ class NeuralSky(NeuralForm, ColourSky):
         """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
         return xyz_from_rgb(self.rgb(directions))
 
+    def rgb_matrix(self, space: RGBSpace = SRGB) -> np.ndarray:
+        """From linear sRGB to the space, (3, 3)."""
+        return np.eye(3) if space is SRGB else np.asarray(rgb_from_xyz(xyz_from_rgb(np.eye(3)), space)).T
+
 
 @dataclass(frozen=True, eq=False)
 class NeuralSpectralSky(NeuralForm, SpectralSky):
@@ -120,6 +130,10 @@ class NeuralSpectralSky(NeuralForm, SpectralSky):
         weights = np.stack([np.interp(wavelengths, self.bands, row) for row in np.eye(self.bands.size)])
         light = self.outputs(directions)
         return light @ constant(weights, light)
+
+    def rgb_matrix(self, space: RGBSpace = SRGB) -> np.ndarray:
+        """From the bands' spectral radiances, linear between them, to RGB, (3, bands)."""
+        return np.asarray(rgb_from_xyz(xyz_weights(self.bands), space)).T
 
 
 def read_network(network: str | PathLike[str]) -> Network:
