@@ -45,9 +45,9 @@ def programs(tape):
     for division in (4, 2, 1):
         ours, theirs = [], []
         for _ in range(RUNS):
-            options = ["-m", str(division), "-of", str(tape)]
+            options = ["-s", "-m", str(division), "-of", str(tape)]
             ours.append(measured([sys.executable, "-m", "skydome.cli.daylight_matrix", *options]))
-            theirs.append(measured([gendaymtx, "-s", *options]))
+            theirs.append(measured([gendaymtx, *options]))
         (wall, cpu), (their_wall, their_cpu) = np.min(ours, axis=0), np.min(theirs, axis=0)
         peak = peak_of(options)
         print(

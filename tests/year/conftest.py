@@ -50,7 +50,30 @@ def files(tmp_path_factory, greensboro) -> dict[str, Path]:
     (folder / "site.epw").write_text(epw_text(greensboro))
     write_wea(greensboro, folder / "site.wea")
     (folder / "stress.wea").write_text(stress_tape(20.0, seed=3))
-    return {"epw": folder / "site.epw", "wea": folder / "site.wea", "stress": folder / "stress.wea"}
+    for name, source in (("light", "site"), ("stress_light", "stress"), ("horizontal", "site")):
+        text = (folder / f"{source}.wea").read_text()
+        (folder / f"{name}.wea").write_text(horizontal_tape(text) if name == "horizontal" else light_tape(text))
+    names = ("site", "stress", "light", "stress_light", "horizontal")
+    return {"epw": folder / "site.epw", "wea": folder / "site.wea"} | {name: folder / f"{name}.wea" for name in names}
+
+
+def with_rows(text: str, units: int, columns) -> str:
+    """The tape with other units, its direct and diffuse column changed by a function of both."""
+    lines = text.splitlines()
+    rows = [line.split() for line in lines[6:]]
+    direct, diffuse = columns(*(np.array([float(row[k]) for row in rows]) for k in (3, 4)))
+    changed = [" ".join(row[:3]) + f" {a:.7g} {b:.7g}" for row, a, b in zip(rows, direct, diffuse, strict=True)]
+    return "\n".join([*lines[:5], f"weather_data_file_units {units}", *changed]) + "\n"
+
+
+def light_tape(text: str) -> str:
+    """Illuminances in place of irradiances: 105 and 125 lm W-1."""
+    return with_rows(text, 3, lambda direct, diffuse: (direct * 105, diffuse * 125))
+
+
+def horizontal_tape(text: str) -> str:
+    """Direct irradiance on the horizontal, here simply half."""
+    return with_rows(text, 2, lambda direct, diffuse: (direct / 2, diffuse))
 
 
 def stress_tape(latitude: float, seed: int) -> str:
@@ -82,6 +105,11 @@ def radiance(program: str, *arguments, check=True, **keywords) -> subprocess.Com
 @pytest.fixture(scope="session")
 def run_radiance():
     return radiance
+
+
+@pytest.fixture(scope="session")
+def change_tape():
+    return with_rows
 
 
 @pytest.fixture(scope="session")

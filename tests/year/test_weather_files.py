@@ -9,6 +9,8 @@ import pytest
 
 import skydome as sd
 from skydome.year.plausibility import share_at_night, warn_of_wrong_place
+from skydome.year.series import year
+from skydome.year.status import BITS
 from skydome.year.sun_of_interval import lit_sun
 from skydome.year.tmy import from_frame
 from skydome.year.wea import read_wea, write_wea
@@ -156,7 +158,8 @@ def test_bad_epw_rows_are_told_by_line(tmp_path, make_epw, spoil, message):
         ("6 21 12.5 500 100", "6 21 12.5 500", "line 7: a row has 5 finite numbers"),
         ("6 21 12.5 500 100", "6 21 12.5 x 100", "line 7: could not convert"),
         ("latitude", "lat", "line 2: a WEA file has latitude here"),
-        ("units 1", "units 3", r"must be 1 or 2 \(irradiances\), got 3"),
+        ("units 1", "units 4", r"must be 1 or 2 \(irradiances\) or 3 \(illuminances\), got 4"),
+        ("units 1\n6 21 12.5 500", "units 3\n6 21 12.5 160000", r"line 7: illuminances must lie in .* lx, got 160000"),
         ("longitude -10", "longitude west", "longitude must be a number"),
     ],
 )
@@ -173,6 +176,37 @@ def test_horizontal_direct_becomes_normal(tmp_path):
     weather = read_wea(tmp_path / "flat.wea")
     sine = lit_sun(weather).directions[0, 2]
     assert np.isclose(weather.direct_normal[0] * sine, 500)
+
+
+def test_illuminances_are_kept_and_their_irradiances_found(tmp_path, change_tape, files):
+    """There and back: the illuminances of a year, written as a tape of units 3.
+
+    Some hours on the border of two bins of clearness have two answers: 2.5 % of those with the sun above 5 degrees.
+    """
+    given = year(read_wea(files["wea"]))
+    columns = given.direct_normal_illuminance.values, given.diffuse_horizontal_illuminance.values
+    (tmp_path / "lux.wea").write_text(change_tape(files["wea"].read_text(), 3, lambda *_: columns))
+    weather = read_wea(tmp_path / "lux.wea")
+    data = year(weather)
+    assert np.allclose(data.diffuse_horizontal_illuminance, columns[1], rtol=1e-6)
+    assert np.allclose(data.direct_normal_illuminance, columns[0], rtol=1e-6)
+    assert np.allclose(data.luminance @ data.horizontal_solid_angle, columns[1], rtol=1e-5)
+    high = (given.sun_elevation.values > 5) & (given.diffuse_horizontal_irradiance.values > 5)
+    change = weather.diffuse_horizontal[high] / given.diffuse_horizontal_irradiance.values[high] - 1
+    assert np.median(np.abs(change)) < 2e-4
+    assert np.mean(np.abs(change) < 0.01) > 0.97
+    patches = np.abs(data.luminance.values[high] / np.maximum(given.luminance.values[high], 1) - 1).max(axis=1)
+    assert np.mean(patches < 0.01) > 0.96
+    part = weather.rows(slice(10, 20))
+    assert np.array_equal(part.diffuse_illuminance, weather.diffuse_illuminance[10:20])
+
+
+def test_negative_light_counts_as_none(tmp_path):
+    head = "place a\nlatitude 50\nlongitude -10\ntime_zone -15\nsite_elevation 0\nweather_data_file_units 3\n"
+    (tmp_path / "dim.wea").write_text(head + "6 21 12.5 -300 9000\n6 21 13.5 50000 9000\n")
+    data = year(read_wea(tmp_path / "dim.wea"))
+    assert data.direct_normal_illuminance.values.tolist() == [0, 50000]
+    assert (data.status.values & BITS["negative"] > 0).tolist() == [True, False]
 
 
 def test_tapes_keep_what_they_are_given(tmp_path, greensboro):

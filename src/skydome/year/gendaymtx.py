@@ -11,14 +11,16 @@ mean over each patch | value at its centre, angles rounded to float32
 black sky | uniform one
 night: sun down | night: direct plus diffuse at most 1e-4 W m-2
 dew point of the hour | of an EPW the mean of that hour and the two before; of a tape 11 degrees C
+the sun apart | its light over the four nearest patches (`gendaymtx_sun`), or in one, or left out
 """
 
-import os
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.year.gendaymtx_conditions import category, conditions, efficacies, irradiances_of, table
+from skydome.year.gendaymtx_sun import Sun, sun_light
 from skydome.year.perez_rows import BLOCK, Skies, horizontal_sums, patch_rows
 
 WHITE_EFFICACY = 179.0
@@ -26,15 +28,14 @@ WHITE_EFFICACY = 179.0
 
 SKY_COLOUR = (0.960, 1.004, 1.118)
 GROUND_REFLECTANCE = 0.2
-SOLAR_CONSTANT = 1367.0
 DAYS_BEFORE = np.array([0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334])
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(__file__)), "ground", "data")
 
 
 class Tape(NamedTuple):
     """What gendaymtx reads of a year: date, standard time, direct normal and diffuse irradiance, dew point, each (T,).
 
-    Latitude and longitude in degrees, north and east positive; hours east of UTC.
+    Latitude and longitude in degrees, north and east positive; hours east of UTC. `photometric`: illuminances, lx, in
+    the irradiances' place.
     """
 
     month: np.ndarray
@@ -46,13 +47,7 @@ class Tape(NamedTuple):
     latitude: float
     longitude: float
     utc_offset: float
-
-
-def table(name: str) -> np.ndarray:
-    """The numbers of a table of `ground/data`, (rows, columns)."""
-    with open(os.path.join(FOLDER, f"{name}.csv"), encoding="utf-8") as file:
-        lines = [line for line in file if line[0] not in "#\n"]
-    return np.array([line.split(",") for line in lines[1:]], dtype=np.float64)
+    photometric: bool = False
 
 
 def sun_of(tape: Tape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -69,8 +64,8 @@ def sun_of(tape: Tape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return np.arcsin(np.clip(sine, -1, 1)), np.pi - np.arctan2(level * np.sin(turn), south), day
 
 
-def skies_of(tape: Tape) -> Skies:
-    """The skies of the lit hours."""
+def skies_of(tape: Tape, solar: bool = False) -> Skies:
+    """The skies of the lit hours; with `solar` their light is all radiation, 179 lm for every watt (`-O1`)."""
     lit = np.flatnonzero(tape.direct + tape.diffuse > 1e-4)
     dew_point = np.broadcast_to(tape.dew_point, tape.hour.shape)[lit]
     columns = {name: getattr(tape, name)[lit] for name in ("month", "day", "hour", "direct", "diffuse")}
@@ -78,32 +73,20 @@ def skies_of(tape: Tape) -> Skies:
     altitude, azimuth, day = sun_of(tape)
     direct, diffuse = (value.astype(np.float32).astype(np.float64) for value in (tape.direct, tape.diffuse))
     zenith = np.clip(np.pi / 2 - altitude, np.radians(3), np.pi / 2)
+    given = (direct, diffuse)
+    if tape.photometric:
+        direct, diffuse = irradiances_of(direct, diffuse, zenith, day, dew_point)
     clearness, brightness = conditions(direct, diffuse, zenith, day)
-    index = np.searchsorted(table("perez_1993")[:, 0], clearness, side="right") - 1
-    letters = letters_of(index, zenith, clearness, brightness)
-    efficacy = table("perez_1990_efficacy")[index].T
-    water = np.exp(0.07 * dew_point - 0.075)
-    a, b, c, d = efficacy[4:8]
-    diffuse_light = diffuse * (a + b * water + c * np.cos(zenith) + d * np.log(brightness))
-    a, b, c, d = efficacy[8:12]
-    beam = direct * np.maximum(a + b * water + c * np.exp(5.73 * zenith - 5) + d * brightness, 0)
-    on_ground = diffuse_light + beam * np.maximum(np.sin(altitude), 0)
-    return Skies(lit, letters, zenith, azimuth, diffuse_light, on_ground)
-
-
-def conditions(
-    direct: np.ndarray, diffuse: np.ndarray, zenith: np.ndarray, day: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Clearness and brightness within the program's limits, each (K,) (Perez 1990, eq. 1-2; orbit by Spencer 1971)."""
-    turn = (day - 1) * (2 * np.pi / 365)
-    orbit = 1.00011 + 0.034221 * np.cos(turn) + 0.00128 * np.sin(turn)
-    orbit += 0.000719 * np.cos(2 * turn) + 0.000077 * np.sin(2 * turn)
-    mass = 1 / (np.cos(zenith) + 0.15 * (93.885 - np.degrees(zenith)) ** -1.253)
-    cube = 1.041 * zenith**3
-    ratio = np.divide(direct, diffuse, out=np.full_like(direct, 1e9), where=diffuse > 0)
-    return np.clip((1 + ratio + cube) / (1 + cube), 1, 11.9), np.clip(
-        diffuse * mass / (SOLAR_CONSTANT * orbit), 0.01, 0.6
-    )
+    row = category(clearness)
+    letters = letters_of(row, zenith, clearness, brightness)
+    if solar:
+        beam, light = direct * WHITE_EFFICACY, diffuse * WHITE_EFFICACY
+    elif tape.photometric:
+        beam, light = given
+    else:
+        beam, light = (a * b for a, b in zip(efficacies(row, zenith, brightness, dew_point), given, strict=True))
+    on_ground = light + beam * np.maximum(np.sin(altitude), 0)
+    return Skies(lit, letters, zenith, azimuth, altitude, light, beam, on_ground)
 
 
 def letters_of(index: np.ndarray, zenith: np.ndarray, clearness: np.ndarray, brightness: np.ndarray) -> np.ndarray:
@@ -120,13 +103,12 @@ def letters_of(index: np.ndarray, zenith: np.ndarray, clearness: np.ndarray, bri
     return letters
 
 
-def radiances(tape: Tape, division: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Indices (K,) of the lit hours and their radiances (J, K), W m-2 sr-1 of white: the ground, then the patches.
+def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
+    """Radiances of the sky (J, K) of some patches, W m-2 sr-1 of white, of the lit hours: the ground, then the patches.
 
     The array is used again for the next patches.
     """
-    skies = skies_of(tape)
-    yield skies.lit, (GROUND_REFLECTANCE / np.pi / WHITE_EFFICACY * skies.on_ground)[None].astype(np.float32)
+    yield (skies.on_ground / (np.pi * WHITE_EFFICACY))[None].astype(np.float32)
     total = horizontal_sums(skies, division)
     black = np.flatnonzero(total == 0)
     uniform = (skies.diffuse[black] / (WHITE_EFFICACY * np.pi)).astype(np.float32)
@@ -134,42 +116,80 @@ def radiances(tape: Tape, division: int) -> Iterator[tuple[np.ndarray, np.ndarra
     for light, _, _ in patch_rows(skies, division, level):
         if black.size:
             light[:, black] = uniform
-        yield skies.lit, light
+        yield light
 
 
-def matrix(tape: Tape, division: int = 1) -> np.ndarray:
+def matrix(tape: Tape, division: int = 1, sun: Sun | None = None) -> np.ndarray:
     """Radiances (144 n^2 + 2, T), float32, W m-2 sr-1 of white: the ground, then Reinhart's patches MF:n.
 
-    What `gendaymtx -s -m n -c 1 1 1` makes, within 1e-5 of each value (its ground apart from the colour).
+    What `gendaymtx -m n -c 1 1 1` makes with `sun` Sun(), and with `-s` where it is None; within 1e-5 of each value.
     """
     rows = np.zeros((144 * division**2 + 2, tape.hour.size), np.float32)
+    skies = skies_of(tape)
+    beams = None if sun is None else sun_light(skies, division, sun)
     first = 0
-    for lit, light in radiances(tape, division):
-        rows[first : first + len(light), lit] = light
+    for light in radiances(skies, division):
+        if first == 0:
+            light *= np.float32(GROUND_REFLECTANCE)
+        elif beams is not None:
+            beams.add_to(light, first - 1, 1 / WHITE_EFFICACY)
+        rows[first : first + len(light), skies.lit] = light
         first += len(light)
     return rows
 
 
-def coloured(tape: Tape, division: int, colour: tuple[float, float, float] = SKY_COLOUR) -> Iterator[np.ndarray]:
+Colour = tuple[float, float, float]
+
+
+class Choices(NamedTuple):
+    """What gendaymtx's options choose: colours of sky (None: no sky, `-d`) and ground, the sun, all radiation (`-O1`).
+
+    `rotation`, degrees, turns the sky anticlockwise as seen from above.
+    """
+
+    colour: Colour | None = SKY_COLOUR
+    ground: Colour = (GROUND_REFLECTANCE, GROUND_REFLECTANCE, GROUND_REFLECTANCE)
+    sun: Sun | None = Sun()
+    solar: bool = False
+    rotation: float = 0.0
+
+
+def coloured(tape: Tape, division: int, choices: Choices) -> Iterator[np.ndarray]:
     """The same in Radiance's R, G, B, some patches at a time: (J, T, 3), float32, used again for the next."""
-    for k, (lit, light) in enumerate(radiances(tape, division)):
-        if k < 2:
-            count = tape.hour.size
-            index = np.full(count, lit.size)
-            index[lit] = np.arange(lit.size)
-            narrow = np.zeros((BLOCK // max(lit.size, 1) + 1, lit.size + 1, 3), np.float32)
-            wide = np.empty((len(narrow), count, 3), np.float32)
-            whole, pixels = wide.view("V12")[..., 0], narrow.view("V12")[..., 0]
+    skies = skies_of(tape, choices.solar)
+    skies = skies._replace(azimuth=skies.azimuth - np.radians(choices.rotation))
+    beams = None if choices.sun is None else sun_light(skies, division, choices.sun)
+    count, hours = tape.hour.size, skies.lit.size
+    index = np.full(count, hours)
+    index[skies.lit] = np.arange(hours)
+    narrow = np.zeros((BLOCK // max(hours, 1) + 1, hours + 1, 3), np.float32)
+    wide = np.empty((len(narrow), count, 3), np.float32)
+    whole, pixels = wide.view("V12")[..., 0], narrow.view("V12")[..., 0]
+    first = -1
+    for light in radiances(skies, division) if choices.colour else dark(hours, division, len(narrow)):
+        colour = choices.ground if first < 0 else choices.colour or (0.0, 0.0, 0.0)
+        part = narrow[: len(light)]
         for channel in range(3):
-            np.multiply(light, np.float32(1 if k == 0 else colour[channel]), out=narrow[: len(light), :-1, channel])
+            np.multiply(light, np.float32(colour[channel]), out=part[:, :-1, channel])
+        if beams is not None and first >= 0:
+            beams.add_to(part, first, 1 / WHITE_EFFICACY)
         for row in range(len(light)):
             np.take(pixels[row], index, out=whole[row], mode="clip")
+        first += len(light)
         yield wide[: len(light)]
 
 
+def dark(hours: int, division: int, at_once: int) -> Iterator[np.ndarray]:
+    """No light (J, K): of the ground, then of the patches, some at a time."""
+    count = 144 * division**2 + 1
+    yield np.zeros((1, hours), np.float32)
+    for k in range(0, count, at_once):
+        yield np.zeros((min(at_once, count - k), hours), np.float32)
+
+
 def tape_of(path: Any) -> Tape:
-    """The tape in a WEA file, as gendaymtx reads it."""
-    from skydome.year.tape import DEW_POINT, FIRST_LINE, RADIOMETRIC, read_tape
+    """The tape in a WEA file, as gendaymtx reads it; units 1 and 2 are irradiances, 3 illuminances."""
+    from skydome.year.tape import DEW_POINT, FIRST_LINE, HORIZONTAL_DIRECT, PHOTOMETRIC, read_tape
 
     head, rows = read_tape(path)
     month, day, hour, direct, diffuse = np.ascontiguousarray(rows.T)
@@ -178,8 +198,9 @@ def tape_of(path: Any) -> Tape:
         k = wrong[0]
         raise ValueError(f"{path}, line {FIRST_LINE + k}: no such date as month {month[k]:g}, day {day[k]:g}")
     place = (head["latitude"], -head["longitude"], -head["time_zone"] / 15)
-    tape = Tape(month, day, hour, direct, diffuse, DEW_POINT, *place)
-    if head["weather_data_file_units"] == RADIOMETRIC:
+    units = head["weather_data_file_units"]
+    tape = Tape(month, day, hour, direct, diffuse, DEW_POINT, *place, photometric=units == PHOTOMETRIC)
+    if units != HORIZONTAL_DIRECT:
         return tape
     sine = np.sin(sun_of(tape)[0])
     return tape._replace(direct=np.where(sine > 0, direct / np.maximum(sine, 1e-9), direct))
@@ -189,11 +210,12 @@ def tape_from(weather: Any) -> Tape:
     """The tape that gendaymtx makes of a `Weather`: of an EPW with the mean dew point of three hours, else its own."""
     from skydome.year.calendar import month_day_hour
 
-    direct, diffuse = weather.irradiances
+    photometric = weather.diffuse_illuminance is not None
+    light = (weather.direct_illuminance, weather.diffuse_illuminance) if photometric else weather.irradiances
     dew_point = np.where(np.isnan(weather.dew_point), 11.0, weather.dew_point)
     if weather.label == "end":
         dew_point = (dew_point + np.roll(dew_point, 1) + np.roll(dew_point, 2)) / 3
     place = weather.place
-    return Tape(
-        *month_day_hour(weather.local), direct, diffuse, dew_point, place.latitude, place.longitude, weather.utc_offset
-    )
+    direct, diffuse = light
+    where = (place.latitude, place.longitude, weather.utc_offset)
+    return Tape(*month_day_hour(weather.local), direct, diffuse, dew_point, *where, photometric)

@@ -22,8 +22,11 @@ def write(
     binary: bool,
     maker: str = "skydome",
 ) -> None:
-    """Write rows, a few (J, T, channels) at a time; ASCII has three digits, like gendaymtx's, and a gap after a row."""
-    started = False
+    """Write rows, a few (J, T, channels) at a time; ASCII has three digits, like gendaymtx's, and a gap after a row.
+
+    Without a `maker` there is no header.
+    """
+    started = not maker
     for block in rows:
         if not started:
             file.write(header(shape, place, binary, maker, block.shape[-1]))

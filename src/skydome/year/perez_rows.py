@@ -10,13 +10,18 @@ BLOCK = 16384
 
 
 class Skies(NamedTuple):
-    """Perez skies of the lit hours (K,) of T: their indices, letters (5, K), sun, and illuminances in lx."""
+    """Perez skies of the lit hours (K,) of T: their indices, letters (5, K), sun, and illuminances in lx.
+
+    `zenith` is the formula's, `altitude` the sun's own; `beam` is on a plane that faces the sun.
+    """
 
     lit: np.ndarray
     letters: np.ndarray
     zenith: np.ndarray
     azimuth: np.ndarray
+    altitude: np.ndarray
     diffuse: np.ndarray
+    beam: np.ndarray
     on_ground: np.ndarray
 
 

@@ -63,9 +63,11 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
         no_dew_point=np.isnan(weather.dew_point),
     )
     skies = PerezSkies(letters, sky.formula_sun, sky.floor)
+    beam, light = sky.direct_normal_illuminance, sky.diffuse_illuminance
+    if weather.direct_illuminance is not None and weather.diffuse_illuminance is not None:
+        beam, light = weather.direct_illuminance[lit], weather.diffuse_illuminance[lit]
     return PerezYear(
-        lit, skies, sky.diffuse_illuminance, sun.directions, sun.times, sun.lit, sky.direct_normal_illuminance,
-        clearness, brightness, status,
+        lit, skies, light, sun.directions, sun.times, sun.lit, beam, clearness, brightness, status
     )  # fmt: skip
 
 

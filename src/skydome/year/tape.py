@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 
 KEYS = ("place", "latitude", "longitude", "time_zone", "site_elevation", "weather_data_file_units")
-RADIOMETRIC, HORIZONTAL_DIRECT = 1, 2
+RADIOMETRIC, HORIZONTAL_DIRECT, PHOTOMETRIC = 1, 2, 3
+"""Units of a tape: irradiances with direct normal, with direct on the horizontal; illuminances with direct normal."""
+
 COLUMNS, FIRST_LINE = 5, len(KEYS) + 1
 DEW_POINT = 11.0
 """What Radiance takes where a tape has no dew point, degrees C."""
@@ -15,14 +17,16 @@ DEW_POINT = 11.0
 def read_tape(path: Any) -> tuple[dict[str, Any], np.ndarray]:
     """The header by key (numbers as they stand: longitude and zone positive to the west) and the rows (T, 5).
 
-    ValueError with the line for what cannot be read, and for units other than irradiances.
+    ValueError with the line for what cannot be read, and for units that gendaymtx does not know.
     """
     name = os.path.basename(path)
     with open(path, encoding="utf-8", errors="replace") as file:
         head, body = split(file.read(), name)
     units = head["weather_data_file_units"]
-    if units not in (RADIOMETRIC, HORIZONTAL_DIRECT):
-        raise ValueError(f"{name}: weather_data_file_units must be 1 or 2 (irradiances), got {units:g}")
+    if units not in (RADIOMETRIC, HORIZONTAL_DIRECT, PHOTOMETRIC):
+        raise ValueError(
+            f"{name}: weather_data_file_units must be 1 or 2 (irradiances) or 3 (illuminances), got {units:g}"
+        )
     return head, table(body, name)
 
 

@@ -21,7 +21,8 @@ class Weather:
 
     `start` and `end` (T,) are UTC, datetime64[s] (equal for instants); `direct_normal` and `diffuse_horizontal` (T,)
     in W m-2 and `dew_point` (T,) in degrees C, each NaN where missing. `utc_offset` is the file's standard time,
-    hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0.
+    hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
+    `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
     """
 
     place: Place
@@ -33,6 +34,8 @@ class Weather:
     utc_offset: float = 0.0
     name: str = ""
     label: Label = "end"
+    direct_illuminance: np.ndarray | None = None
+    diffuse_illuminance: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         if len(self.start) == 0:
@@ -97,8 +100,9 @@ class Weather:
 
     def rows(self, chosen: Any) -> "Weather":
         """The intervals `chosen` by a slice, a mask or indices."""
-        columns = ("start", "end", "direct_normal", "diffuse_horizontal", "dew_point")
-        return replace(self, **{name: getattr(self, name)[chosen] for name in columns})
+        names = ["start", "end", "direct_normal", "diffuse_horizontal", "dew_point"]
+        names += ["direct_illuminance", "diffuse_illuminance"] if self.diffuse_illuminance is not None else []
+        return replace(self, **{name: getattr(self, name)[chosen] for name in names})
 
 
 def read_weather(path: str | PathLike[str], year: int | None = None) -> Weather:
