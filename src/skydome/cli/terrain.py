@@ -22,7 +22,12 @@ def terrain(
     fov: Annotated[float, Option(help="Horizontal field of view, degrees.")] = 50.0,
     size: Annotated[str, Option(metavar="W,H", help="Pixels.")] = "1000,750",
     samples: Annotated[int, Option(help="Samples a pixel, a square number.")] = 16,
-    ground_albedo: Annotated[str, Option(metavar="R,G,B", help="Reflectance of the land.")] = "0.11,0.12,0.07",
+    ground_albedo: Annotated[
+        str, Option(metavar="R,G,B", help="Reflectance of the land; with --texture, of its mean luminance.")
+    ] = "0.11,0.12,0.07",
+    texture: Annotated[
+        Path | None, Option(help="A photo from above, .tif, .png or .jpg, whose colours the land takes.")
+    ] = None,
     vertical_unit: Annotated[str | None, Option(metavar="m|ft", help="Unit of the heights, if not stated.")] = None,
     no_air: Annotated[bool, Option("--no-air", help="Without aerial perspective.")] = False,
     curvature: Annotated[bool, Option("--curvature", help="Lower the land by the Earth's curve.")] = False,
@@ -32,20 +37,25 @@ def terrain(
     """Render an elevation model with sun, shadows, skylight and aerial perspective."""
     import numpy as np
 
+    from skydome.light.colour import SRGB
     from skydome.scene.aerial_perspective import AirLight
     from skydome.scene.terrain import render_terrain
     from skydome.scene.terrain_elevation import read_elevation
+    from skydome.scene.terrain_texture import read_texture
 
     refuse_picture(output)
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)
     land, scene = read_elevation(land_file, vertical_unit), scene_of(options)
+    surface, laid = (
+        (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
+    )
     known = any(hasattr(part, "turbidity") for part in scene.whole.parts)
     air = None if no_air else AirLight(scene.whole, turbidity=options.turbidity or (None if known else 3.0))
     with rows_done() as progress:
-        picture = render_terrain(land, view, scene.whole, air, albedo, samples, curvature, progress=progress)
+        picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=progress)
     picture.save(output, exposure) if output.suffix.lower() == ".png" else picture.save(output)
-    facts = facts_of(output, land, picture) | {"notes": [*land.notes, *scene.notes]}
+    facts = facts_of(output, land, picture) | {"notes": [*land.notes, *laid, *scene.notes]}
     show(facts, {name: text_of(value) for name, value in facts.items()}, as_json)
 
 

@@ -87,7 +87,8 @@ def render_terrain(
 
     `albedo`: RGB (3,), or an image (h, w, 3) in linear sRGB stretched over the map. `samples` a pixel: a square
     number. `curvature`: lower the land by the Earth's curve, less refraction. `progress(done, rows)` is called as rows
-    are finished. Beyond the map lies flat ground at its lowest height, from which `air` measures heights. Needs Numba.
+    are finished. Beyond the map lies flat ground of the mean albedo at its lowest height, from which `air` measures
+    heights. Needs Numba.
     """
     from skydome.scene.terrain_kernel import height_at
     from skydome.scene.terrain_picture_kernel import picture_rows
@@ -99,7 +100,7 @@ def render_terrain(
     ground = (heights, *pyramid_of(heights), float(elevation.dx), float(elevation.dy), base)
     surface = surface_of(albedo, heights.shape)
     sunlight, rest = sun_of(sky), skylight_of(sky)
-    lit = lit_slopes(ground, rest, sunlight, np.mean(surface[0], axis=(0, 1)))
+    lit = lit_slopes(ground, rest, sunlight, surface[3])
     kind, fog, densities, tables = air_for(air, z - base)
     forward, right, up = (np.asarray(part, dtype=np.float64) for part in camera.frame())
     background = background_of(sky, camera)
@@ -155,8 +156,8 @@ def pyramid_of(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([level.ravel() for level in levels]), shapes
 
 
-def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, float]:
-    """Reflectance (h, w, 3) of at least 2 x 2 texels, and texels a cell along rows and columns."""
+def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, float, np.ndarray]:
+    """Reflectance (h, w, 3) of at least 2 x 2 texels, texels a cell along rows and columns, and the mean (3,)."""
     image = np.asarray(albedo, dtype=np.float64)
     image = np.broadcast_to(image, (2, 2, 3)) if image.ndim <= 1 else image
     if image.ndim != 3 or image.shape[-1] != 3 or min(image.shape[:2]) < 2:
@@ -164,7 +165,7 @@ def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, 
     if not (np.isfinite(image).all() and image.min() >= 0 and image.max() <= 1):
         raise ValueError(f"albedo must lie in [0, 1], got {image.min():g} to {image.max():g}")
     scale = (image.shape[0] - 1) / (shape[0] - 1), (image.shape[1] - 1) / (shape[1] - 1)
-    return np.ascontiguousarray(image), float(scale[0]), float(scale[1])
+    return np.ascontiguousarray(image), float(scale[0]), float(scale[1]), image.mean(axis=(0, 1))
 
 
 def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, float]:

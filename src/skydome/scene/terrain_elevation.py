@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,11 +17,22 @@ MOST_CELLS = 4_000_000
 FEET = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us survey foot": 0.3048006, "us-ft": 0.3048006}
 
 
+class Extent(NamedTuple):
+    """Where the outermost heights lie, in a coordinate system `crs`."""
+
+    crs: Any
+    west: float
+    north: float
+    east: float
+    south: float
+
+
 @dataclass(frozen=True, eq=False)
 class Elevation:
     """Heights (rows, columns), m, north in row 0 and west in column 0, `dx` and `dy` metres apart.
 
-    `latitude`, `longitude`: of the middle, degrees, if known. `notes`: what was done to the data, for people.
+    `latitude`, `longitude`: of the middle, degrees, and `extent`, if known. `notes`: what was done to the data, for
+    people.
     """
 
     heights: np.ndarray
@@ -30,6 +41,7 @@ class Elevation:
     latitude: float | None = None
     longitude: float | None = None
     notes: tuple[str, ...] = ()
+    extent: Extent | None = None
 
     def __post_init__(self) -> None:
         """Validate only."""
@@ -144,6 +156,8 @@ def read_geotiff(path: Path, unit: str | None, cells: int) -> Elevation:
         with source:
             if source.crs is None or source.transform.is_identity:
                 raise ValueError(f"{path.name} has no georeference; give it one (gdal_edit.py -a_srs ... -a_ullr ...)")
+            if source.transform.b or source.transform.d or source.transform.e > 0:
+                raise ValueError(f"{path.name} must have north at the top; turn it first (gdalwarp in.tif out.tif)")
             step = step_for(source.height, source.width, cells)
             shape = (max(2, source.height // step), max(2, source.width // step))
             band = source.read(1, out_shape=shape, masked=True, resampling=rasterio.enums.Resampling.average)
@@ -166,7 +180,12 @@ def georeference(source: Any, middle: tuple[float, float], stretch: tuple[float,
     else:
         metre = float(source.crs.linear_units_factor[1])
         dx, dy = degrees_x * metre, degrees_y * metre
-    return {"dx": dx, "dy": dy, "latitude": float(latitudes[0]), "longitude": float(longitudes[0])}
+    turn, margin = source.transform, (stretch[1] / 2, stretch[0] / 2)
+    west, east = (turn.c + turn.a * column for column in (margin[0], source.width - margin[0]))
+    north, south = (turn.f + turn.e * row for row in (margin[1], source.height - margin[1]))
+    extent = Extent(source.crs, west, north, east, south)
+    place = {"latitude": float(latitudes[0]), "longitude": float(longitudes[0])}
+    return {"dx": dx, "dy": dy, "extent": extent} | place
 
 
 def read_npz(path: Path, unit: str | None, cells: int) -> Elevation:

@@ -21,13 +21,14 @@ def picture_rows(
 
     `ground`: heights, pyramid, levels, dx, dy, base. `camera`: u, v, z, forward, right, up scaled to half the frame.
     `sky` (R, W, 3). `sunlight`: direction, irradiance (3,), sine of the disc's radius. `lit`: skylight and stride.
-    `surface`: albedo image and cells a texel. `fog` (9,): extinction m-1, ambient light, unused.
+    `surface`: albedo image, texels a cell, and the mean, which the ground beyond the map has. `fog` (6,): extinction
+    m-1 and ambient light.
     """
     heights, pyramid, levels, dx, dy, base = ground
     u0, v0, z0, forward, right, up, width, height = camera
     sun, sun_rgb, sun_radius = sunlight
     skylit, stride = lit
-    albedo, texel_rows, texel_columns = surface
+    albedo, texel_rows, texel_columns, mean_albedo = surface
     air, nodes, table, suns, peak = tables
     side = int(math.sqrt(samples))
     for row in numba.prange(out.shape[0]):
@@ -56,7 +57,10 @@ def picture_rows(
                 hits += 1
                 far += t
                 u, v = u0 + x / dx * t, v0 - y / dy * t
-                lerp3(albedo, v * texel_rows, u * texel_columns, colour)
+                if on_map:
+                    lerp3(albedo, v * texel_rows, u * texel_columns, colour)
+                else:
+                    colour[0], colour[1], colour[2] = mean_albedo[0], mean_albedo[1], mean_albedo[2]
                 lerp3(skylit, v / stride, u / stride, skyward)
                 nx, ny, nz = 0.0, 0.0, 1.0
                 if on_map:
