@@ -52,6 +52,18 @@ def test_a_hidden_sun_is_found_by_the_skys_glow(elevation):
     assert float(angle_between(found.direction, sun)) < 12 * deg
 
 
+def test_a_sun_below_a_ridge_is_no_disc():
+    """Twilight: a glow about a sun under the horizon, cut off by dark land."""
+    toward = sd.Equirectangular().directions(128)
+    sun = sd.direction(221 * deg, -3 * deg)
+    glow = 1 + 45 * np.exp(-((angle_between(toward, sun) / (14 * deg)) ** 2))
+    ridge = toward[..., 2] < np.sin((2 + 1.5 * np.sin(7 * np.arctan2(toward[..., 0], toward[..., 1]))) * deg)
+    pixels = np.where(ridge, 0.1, glow)[..., None] * np.array([1.3, 0.95, 0.8])
+    found = find_sun(sd.EnvironmentMap(pixels.astype(np.float32)))
+    assert not found.visible
+    assert float(angle_between(found.direction, sun)) < found.doubt
+
+
 @pytest.mark.parametrize("sky", [sd.Uniform(2000.0), sd.MoonSpencer(zenith_luminance=5000.0)])
 def test_no_sun_in_an_overcast_sky(sky):
     with pytest.raises(ValueError, match=r"no sun found.*place and time"):
@@ -102,7 +114,7 @@ def test_masks_go_through_a_file_and_wrong_sizes_are_refused(tmp_path):
 
 
 def asset(name, folder):
-    """A map of the npm package @pmndrs/assets (CC0), unpacked in $SKYDOME_ASSETS, clipped at 0."""
+    """A map of the npm package @pmndrs/assets (CC0), unpacked in $SKYDOME_ASSETS (docs/captured.md), clipped at 0."""
     place = os.environ.get("SKYDOME_ASSETS")
     if not place:
         pytest.skip("SKYDOME_ASSETS does not name an unpacked @pmndrs/assets")
@@ -127,8 +139,30 @@ def test_suns_of_real_maps(name, row, column, tmp_path):
     assert float(angle_between(found.direction, wanted)) < 1.5 * deg
 
 
+def test_a_real_dawn_has_no_disc(tmp_path):
+    """The glow's middle is read off the picture by eye; the sun is behind the hills."""
+    found = find_sun(asset("dawn", tmp_path))
+    assert not found.visible
+    assert float(angle_between(found.direction, sd.direction(221 * deg, 2 * deg))) < found.doubt
+
+
+@pytest.mark.parametrize("name", ["sunrise", "park", "sky"])
+def test_real_maps_as_skies(name, tmp_path):
+    """Exchanging the captured sun for a disc keeps the light on planes that face any way."""
+    picture = asset(name, tmp_path)
+    sky = sd.CapturedSky(picture, find_sun(picture).direction).relit(illuminance=20_000.0)
+    assert float(sd.illuminance(sky.with_disc())) == pytest.approx(20_000.0, rel=0.03)
+    level = np.array([sky.sun[0], sky.sun[1], 0.0])
+    normals = sd.unit(np.array([level, -level, sky.sun]))
+    np.testing.assert_allclose(sd.illuminance(sky.with_disc(), normals), sky.illuminance(normals), rtol=0.05)
+    turned = sky.rotated(1.0)
+    assert float(turned.illuminance()) == pytest.approx(20_000.0, rel=1e-2)
+    assert float(turned.luminance(turned.sun)) == pytest.approx(float(sky.luminance(sky.sun)), rel=0.5)
+
+
 @pytest.mark.parametrize(
-    ("name", "least", "most"), [("sunrise", 0.85, 0.97), ("sunset", 0.75, 0.9), ("park", 0.9, 0.98)]
+    ("name", "least", "most"),
+    [("sunrise", 0.85, 0.97), ("sunset", 0.75, 0.9), ("park", 0.9, 0.98), ("dawn", 0.9, 0.97), ("venice", 0.85, 0.95)],
 )
 def test_skies_of_real_maps(name, least, most, tmp_path):
     picture = asset(name, tmp_path)

@@ -16,6 +16,10 @@ CANDIDATES = 24
 CLEAR_DISC, BURNT_DISC = 8.0, 1.25
 """How far a disc outshines its aureole: anywhere, and burnt out where the whole sky's glow points (within NEAR)."""
 NEAR = 20 * deg
+RING, BRIGHT_SHARE, ABOVE_RING = (2 * deg, 4 * deg), 90.0, 1.25
+"""A disc also outshines the brightest tenth of the ring close by; glow along a ridge does not."""
+STARK, SMALL_PART, TWILIGHT_DOUBT = 4.0, 0.01, 15 * deg
+"""A sky whose brightest hundredth outshines its median so far has its sun there, if but below the horizon."""
 EQUAL = 0.7
 """Blobs this near to the brightest are judged by their aureoles."""
 
@@ -41,7 +45,8 @@ def find_sun(picture: EnvironmentMap, sky: np.ndarray | None = None) -> FoundSun
     `sky` (H, W): True where the map shows sky (default: all above the horizon), where the glow is looked at; a disc is
     looked for everywhere above the horizon. A blob is a sun only if it has an
     aureole: single hot pixels and lamps stand in an ordinary sky and are passed over. Where no disc outshines its
-    aureole (clouds, roofs, a sun just set) the centre of the glow is given, with several degrees of doubt.
+    aureole (clouds, roofs) the centre of the glow is given, with several degrees of doubt; where that is not where the
+    sky is by far brightest (a sun just set), the centre of the brightest part, with more.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=2.0, elevation=0.7)
@@ -63,7 +68,11 @@ def find_sun(picture: EnvironmentMap, sky: np.ndarray | None = None) -> FoundSun
     found = visible_sun(light, seen, toward, sizes, glow.direction)
     if found is not None:
         return found
-    if glow.share < LEAST_SHARE or glow.strength < LEAST_STRENGTH:
+    trusted = glow.share >= LEAST_SHARE and glow.strength >= LEAST_STRENGTH
+    brightest, contrast = brightest_part(light, clear, toward, sizes)
+    if contrast > STARK and (not trusted or angle_between(glow.direction, brightest) > NEAR):
+        return FoundSun(brightest, False, False, contrast, float(TWILIGHT_DOUBT))
+    if not trusted:
         raise ValueError(
             f"no sun found: no disc is seen, and a glow explains {max(glow.share, 0):.0%} of the pattern with a rise "
             f"of {glow.strength:.2f} in its logarithm (at least {LEAST_SHARE:.0%} and {LEAST_STRENGTH} are needed); "
@@ -88,7 +97,9 @@ def visible_sun(
         around = seen & (angle > AUREOLE[0]) & (angle < AUREOLE[1])
         aureole = float(np.median(light[around])) if around.any() else 0.0
         pointed = angle_between(toward[peak], glow) < NEAR
-        outshines = top > (BURNT_DISC if pointed else CLEAR_DISC) * aureole > 0
+        outshines = top > (BURNT_DISC if pointed else CLEAR_DISC) * aureole > 0 and stands_alone(
+            top, light[seen & (light > usual)], angle[seen & (light > usual)]
+        )
         if outshines and (pointed or aureole > 1.3 * usual) and (best is None or aureole > best[0]):
             best = (aureole, top, toward[peak])
         left = np.where(angle < AUREOLE[0], 0.0, left)
@@ -98,6 +109,25 @@ def visible_sun(
     centre = disc_centre(light * seen, toward, sizes, start, min(1.5 * aureole, (aureole + top) / 2))
     same = seen & (angle_between(toward, start) < AUREOLE[0]) & (light >= 0.999 * top)
     return FoundSun(centre, True, int(np.count_nonzero(same)) > 1, top / usual, float(np.sqrt(sizes.max())))
+
+
+def brightest_part(
+    light: np.ndarray, seen: np.ndarray, toward: np.ndarray, sizes: np.ndarray
+) -> tuple[np.ndarray, float]:
+    """Centre (3,) of the brightest hundredth of the seen sky, by solid angle, and its least light over the median."""
+    values, angles = light[seen], sizes[seen]
+    order = np.argsort(values)[::-1]
+    share = np.cumsum(angles[order]) / angles.sum()
+    edge, usual = values[order][np.searchsorted(share, [SMALL_PART, 0.5])]
+    bright = seen & (light >= edge)
+    centre = unit(np.einsum("i,ij->j", (light * sizes)[bright], toward[bright]))
+    return np.asarray(centre), float(edge / usual) if usual > 0 else np.inf
+
+
+def stands_alone(top: float, light: np.ndarray, angle: np.ndarray) -> bool:
+    """Whether a peak of light `top` outshines the brightest part of the ring about it (`angle` from the peak, (n,))."""
+    ring = light[(angle > RING[0]) & (angle < RING[1])]
+    return ring.size == 0 or top > ABOVE_RING * float(np.percentile(ring, BRIGHT_SHARE))
 
 
 def disc_centre(
