@@ -90,22 +90,5 @@ def test_gradients_pass():
     assert float(t.grad) == pytest.approx(float(haze_total([550.0], 4.0)[0] - haze_total([550.0], 3.0)[0]))
 
 
-def test_mie_theory_resembles_the_table():
-    """Junge's exponent 4, refractive index 1.5, radii 0.04-10 um: Bullrich's own model, by miepython."""
-    mie = pytest.importorskip("miepython")
-    radii = np.geomspace(0.04e-6, 10e-6, 400)
-    numbers = radii**-5.0 * np.gradient(radii)  # dn = 0.434 c r^-4 dlog10(r): A.3 has that factor
-    cosines = np.cos(np.radians([10.0, 30.0, 60.0, 90.0, 120.0, 150.0]))
-    total = np.zeros(6)
-    scattering = 0.0
-    for r, n in zip(radii, numbers, strict=True):
-        x = 2 * np.pi * r / 550e-9
-        area = mie.efficiencies_mx(1.5, x)[1] * np.pi * r * r
-        total += n * area * mie.i_unpolarized(1.5, x, cosines, norm="one")
-        scattering += n * area
-    ratio = total / scattering / phase.haze(cosines, [550.0])[:, 0]
-    assert np.abs(np.log(ratio)).max() < np.log(1.35), ratio
-
-
 def test_concentration_is_a_hundredth_of_the_printed():
     assert concentration(2.0) == pytest.approx(0.6578e-18)

@@ -12,12 +12,13 @@ from skydome.air.cross_sections import (
     rayleigh_depth,
     solar_irradiance,
 )
-from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw, Rayleigh
+from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, LegendreSeries, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Tabulated
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum
 
 LAWS = [Rayleigh(), Rayleigh(0.0279), HenyeyGreenstein((0.85, 0.6), (0.4, 0.6)), CornetteShanks(0.7), Haze()]
+LAWS.append(LegendreSeries([450.0, 650.0], np.stack([0.8 ** np.arange(200), 0.7 ** np.arange(200)], axis=-1)))
 W = [400.0, 550.0, 700.0]
 
 

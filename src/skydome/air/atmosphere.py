@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.air import mars
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at, require_share
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
@@ -104,10 +105,25 @@ class Atmosphere:
         molecules = Molecules(depolarisation=0.0, optical_depth=depths)
         return cls((molecules, aerosol), grass(), radius=6_360_000.0, height=60_000.0)
 
+    @classmethod
+    def mars(cls, dust_depth: float = 0.5, pressure: float = 636.0, albedo: Any = mars.GROUND) -> "Atmosphere":
+        """The air of Mars: carbon dioxide of a surface `pressure`, Pa, and dust of an optical depth at 550 nm.
+
+        Every number has its source in `air/mars.py`; 0.4-0.6 is usual for dust, 0.9 after a storm. Without dust the
+        sky is nearly black. The dust's phase function changes with wavelength (Mie), which makes the sky about the
+        sun blue.
+
+        >>> air = Atmosphere.mars()
+        >>> [part.depth([550.0]).round(4).tolist() for part in air.constituents]
+        [[0.0028], [0.5]]
+        """
+        parts = (mars.gas(pressure), mars.dust(dust_depth))
+        return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
+
     @property
     def wavelengths_alike(self) -> bool:
         """True where no constituent's phase function changes with wavelength."""
-        return not any(isinstance(part.phase_law, Haze) for part in self.constituents)
+        return all(part.phase_law.wavelengths_alike for part in self.constituents)
 
     def depth(self, wavelengths: Any) -> Array:
         """Vertical optical depth of everything above the ground, (W,)."""

@@ -2,17 +2,24 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any
+from hashlib import sha256
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
 from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
+from skydome.light.spectrum import Spectrum
+
+CHUNK = 4096
 
 
 class PhaseLaw(ABC):
     """A phase function, sr-1, whose integral over the sphere is 1, at any wavelength."""
+
+    wavelengths_alike: ClassVar[bool] = True
+    """True where it is the same for all wavelengths."""
 
     @abstractmethod
     def value(self, cosine: Any, wavelengths: Any) -> Array:
@@ -109,10 +116,61 @@ class CornetteShanks(PhaseLaw):
 class Haze(PhaseLaw):
     """The Mie table of haze (Bullrich, as Preetham 1999, Table 1 prints it)."""
 
+    wavelengths_alike: ClassVar[bool] = False
+
     def value(self, cosine: Any, wavelengths: Any) -> Array:
         """Interpolated in angle and wavelength."""
         values: np.ndarray = haze(np.asarray(cosine, dtype=np.float64), wavelengths)
         return values
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LegendreSeries(PhaseLaw):
+    """A phase function as its Legendre moments (L, W) at `wavelengths` (W,), nm, the first of each 1.
+
+    p(cos) = sum of (2 l + 1) chi_l P_l(cos) / (4 pi), so that its integral is 1 to rounding. The moments are linear
+    between the wavelengths and held outside. ValueError unless the first moments are 1 and p is not negative.
+
+    >>> law = LegendreSeries([550.0], [[1.0], [0.0], [0.1]])     # Rayleigh's
+    >>> law.value(np.array([1.0]), [550.0]).round(4).tolist() == [[round(3 / (8 * np.pi), 4)]]
+    True
+    """
+
+    wavelengths: Any
+    series: Any
+    wavelengths_alike: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        known = Spectrum(self.wavelengths, self.series)
+        if known.values.ndim != 2 or len(known.values) < 2:
+            raise ValueError(f"a series must have shape (L, W) with L >= 2, got {known.values.shape}")
+        if not np.allclose(known.values[0], 1.0, rtol=0, atol=1e-9):
+            raise ValueError(f"the first moment must be 1, got {known.values[0].tolist()}")
+        object.__setattr__(self, "wavelengths", known.wavelengths)
+        object.__setattr__(self, "series", known.values)
+        least = self.value(np.cos(np.linspace(0, np.pi, 361)), known.wavelengths).min()
+        if least < 0:
+            raise ValueError(f"a phase function must not be negative, got {least:.3g} sr-1 by its moments")
+
+    def __repr__(self) -> str:
+        """Tells different series apart, however long."""
+        mark = sha256(self.wavelengths.tobytes() + self.series.tobytes()).hexdigest()[:16]
+        return f"LegendreSeries({len(self.series)} moments at {self.wavelengths.size} wavelengths, {mark})"
+
+    def value(self, cosine: Any, wavelengths: Any) -> Array:
+        """The series' sum."""
+        cosine = np.asarray(cosine, dtype=np.float64)
+        count = len(self.series)
+        strength = self.moments(count, wavelengths) * (2 * np.arange(count)[:, None] + 1) / (4 * np.pi)
+        flat, result = cosine.ravel(), np.empty((cosine.size, strength.shape[1]))
+        for start in range(0, flat.size, CHUNK):
+            result[start : start + CHUNK] = legendre(count, flat[start : start + CHUNK]).T @ strength
+        return result.reshape(*cosine.shape, -1)
+
+    def moments(self, count: int, wavelengths: Any) -> Array:
+        """The moments, 0 beyond the series' end."""
+        there = Spectrum(self.wavelengths, self.series[:count]).at(np.atleast_1d(np.asarray(wavelengths, dtype=float)))
+        return np.concatenate([there, np.zeros((count - len(there), there.shape[1]))])
 
 
 def spread(values: np.ndarray, wavelengths: Any) -> Array:
