@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
-from skydome.dome.integrals import own_array
 from skydome.ground.arrays import Array, as_numpy, constant
 from skydome.ground.directions import NORTH, ZENITH, checked_directions, unit
 from skydome.ground.quadrature import gauss_legendre
+from skydome.scene.light_kinds import LUX, LightKind, in_library_of
 from skydome.skies.sky import Sky
 
 LONGEST_PIECE = np.pi / 4
@@ -137,10 +137,11 @@ class Bands:
         directions = self.directions(band[owner][:, None], alpha)
         return directions.reshape(-1, 3), weights.reshape(-1), np.repeat(owner, NODES_PER_PIECE)
 
-    def illuminance(self, sky: Sky, alpha: float = np.pi) -> Array:
+    def illuminance(self, sky: Sky, alpha: float = np.pi, light: LightKind = LUX) -> Array:
         """E_k(alpha) of every band for any sky, lx, shape (..., N): d_k x integral of L sin^2 (15.56).
 
-        `sky` may have leading axes (T, 1). What lies below the horizon is dark.
+        `sky` may have leading axes (T, 1). What lies below the horizon is dark. In another kind of `light`, such as
+        LightInRGB(), shape (..., N, C).
 
         >>> import skydome as sd
         >>> bands = Bands.of(count=4)
@@ -152,14 +153,9 @@ class Bands:
         every = np.arange(self.count)
         first, last = above_horizon(self, alpha)
         nodes, weights, owner = self.nodes(every, first, last)
-        light = sky.luminance(matched(nodes, sky))
-        return light @ constant(weights[:, None] * (owner[:, None] == every), light)
-
-
-def matched(table: np.ndarray, sky: Sky) -> Array:
-    """A NumPy table in the library, dtype and device of the sky's own arrays."""
-    like = own_array(sky)
-    return table if like is None else constant(table, like)
+        shares = weights[:, None] * (owner[:, None] == every)
+        found = light.toward(sky, in_library_of(nodes, sky))
+        return constant(shares.T, found) @ found if light.trailing else found @ constant(shares, found)
 
 
 def level_axis(normal: np.ndarray) -> np.ndarray:

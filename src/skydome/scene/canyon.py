@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, namespace
+from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions, direction
 from skydome.ground.quadrature import gauss_legendre
 from skydome.scene.bands import Bands, dihedral, level_axis
+from skydome.scene.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
 from skydome.scene.obstruction import PlaneView, Received
 from skydome.scene.obstruction_intervals import SKY, Surroundings
-from skydome.scene.radiosity import crossed_strings, interreflected
+from skydome.scene.radiosity import crossed_strings, interreflected, interreflected_channels
 from skydome.skies.sky import Sky
 
 POINTS_PER_STRIP = 3
@@ -24,7 +25,8 @@ class StreetCanyon:
     """A street `width` m wide between walls of `height` m that runs toward `azimuth`, radians; metres, or any one unit.
 
     Across the street x runs from -width / 2, the wall at the left of one who looks along the azimuth, to width / 2.
-    Floor and walls are cut in `strips` each, of uniform illuminance and of `floor_reflectance`, `wall_reflectance`.
+    Floor and walls are cut in `strips` each, of uniform illuminance and of `floor_reflectance`, `wall_reflectance`:
+    numbers in [0, 1), or for light in colour one of each channel (C,), or a `Spectrum`.
 
     >>> canyon = StreetCanyon(height=10.0, width=10.0)
     >>> round(canyon.floor_view_factor, 6)
@@ -34,8 +36,8 @@ class StreetCanyon:
     height: float
     width: float
     azimuth: float = 0.0
-    floor_reflectance: float = 0.0
-    wall_reflectance: float = 0.0
+    floor_reflectance: Any = 0.0
+    wall_reflectance: Any = 0.0
     strips: int = 16
 
     def __post_init__(self) -> None:
@@ -43,8 +45,7 @@ class StreetCanyon:
             if not (np.isfinite(getattr(self, name)) and getattr(self, name) > 0):
                 raise ValueError(f"{name} must be above 0, got {getattr(self, name)}")
         for name in ("floor_reflectance", "wall_reflectance"):
-            if not 0 <= getattr(self, name) < 1:
-                raise ValueError(f"{name} must lie in [0, 1), got {getattr(self, name)}")
+            check_shares(name, getattr(self, name), BELOW_ONE)
         if self.strips < 1:
             raise ValueError(f"strips must be at least 1, got {self.strips}")
 
@@ -93,10 +94,10 @@ class StreetCanyon:
         """Unit normal of every strip, (3 x strips, 3)."""
         return np.repeat(np.stack([ZENITH, self.right, -self.right]), self.strips, axis=0)
 
-    @property
-    def reflectances(self) -> np.ndarray:
-        """Reflectance of every strip, (3 x strips,)."""
-        return np.repeat([self.floor_reflectance, self.wall_reflectance, self.wall_reflectance], self.strips)
+    def reflectances(self, light: LightKind = LUX) -> np.ndarray:
+        """Reflectance of every strip, (3 x strips,), or (3 x strips, C) where floor or walls have channels."""
+        floor, wall = (channelled(value, light) for value in (self.floor_reflectance, self.wall_reflectance))
+        return np.repeat(np.stack(np.broadcast_arrays(floor, wall, wall)), self.strips, axis=0)
 
     @cached_property
     def factors(self) -> np.ndarray:
@@ -114,38 +115,47 @@ class StreetCanyon:
             )
         return CanyonPoint(self, float(x), float(z))
 
-    def strip_light(self, sky: Sky, bands: int = 48) -> Array:
-        """Illuminance of every strip with interreflection, lx, (..., 3 x strips): sky's leading axes first."""
+    def strip_light(self, sky: Sky, bands: int = 48, light: LightKind = LUX) -> Array:
+        """Illuminance of every strip with interreflection, lx, (..., 3 x strips): sky's leading axes first.
+
+        In another kind of `light` (..., 3 x strips, C).
+        """
         t, w = gauss_legendre(POINTS_PER_STRIP)
         columns = []
         for (start, end), normal in zip(self.ends, self.normals, strict=True):
             points = [self.at(*(start + share * (end - start))) for share in t]
-            received = [point.view(normal, bands).receive(sky) for point in points]
-            columns.append(sum(share * light.total for share, light in zip(w, received, strict=True)))
-        xp = namespace(*columns)
-        direct = xp.stack([xp.asarray(column) for column in columns], axis=-1)
-        return interreflected(direct, self.factors, self.reflectances)
+            received = [point.view(normal, bands).receive(sky, light=light) for point in points]
+            columns.append(sum(share * part.total for share, part in zip(w, received, strict=True)))
+        balance = interreflected_channels if light.trailing else interreflected
+        return balance(side_by_side(columns, light), self.factors, self.reflectances(light))
 
     def illuminance(
-        self, sky: Sky, x: Sequence[float], z: float = 0.0, normal: Any = ZENITH, bands: int = 64
+        self,
+        sky: Sky,
+        x: Sequence[float],
+        z: float = 0.0,
+        normal: Any = ZENITH,
+        bands: int = 64,
+        light: LightKind = LUX,
     ) -> Received:
         """Light at points x (P,) across the street, z above its floor, on planes facing `normal` (3,), lx, (..., P).
 
-        From the sky, the sun and, where floor or walls reflect, from them: uniform strips with interreflection.
+        From the sky, the sun and, where floor or walls reflect, from them: uniform strips with interreflection. In
+        another kind of `light` (..., P, C).
         """
         lit = None
-        if self.reflectances.any():
-            light = self.strip_light(sky)
-            lit = light * constant(self.reflectances / np.pi, light)
+        reflectances = self.reflectances(light)
+        if reflectances.any():
+            strips = self.strip_light(sky, light=light)
+            shares = reflectances[:, None] if light.trailing and reflectances.ndim == 1 else reflectances
+            lit = strips * constant(shares / np.pi, strips)
         found = []
         for place in x:
             view = self.at(float(place), z).view(normal, bands)
-            luminances = {} if lit is None else {int(k): lit[..., int(k)] for k in view.labels}
-            received = view.receive(sky, luminances)
+            luminances = {} if lit is None else {int(k): light.pick(lit, int(k)) for k in view.labels}
+            received = view.receive(sky, luminances, light=light)
             found.append([received.sky, received.sun, received.reflected])
-        xp = namespace(found[0][0])
-        parts = (xp.stack([xp.asarray(part) for part in column], axis=-1) for column in zip(*found, strict=True))
-        return Received(*parts)
+        return Received(*(side_by_side(column, light) for column in zip(*found, strict=True)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from skydome.dome.integrals import illuminance
-from skydome.ground.arrays import Array, constant, namespace
+from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
+from skydome.light.spectrum import Spectrum
+from skydome.scene.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
 from skydome.scene.obstruction import TOLERANCE, PlaneView, Received
 from skydome.scene.obstruction_intervals import GROUND, SKY, Surroundings
-from skydome.scene.radiosity import interreflected
+from skydome.scene.radiosity import interreflected, interreflected_channels
 from skydome.skies.sky import Sky
 
 LIFT = 2e-6
@@ -32,7 +33,8 @@ class MeshScene:
     """Triangles (`vertices` (V, 3) m, `faces` (N, 3)) under the sky; x east, y north, z up.
 
     Fronts reflect, backs are black. `reflectance` (N,) or a number in [0, 1): each triangle has one illuminance, so
-    cut large ones (`finer`). Where no triangle is met below the horizon lies open ground of `ground_albedo`. Needs
+    cut large ones (`finer`); for light in colour (N, C), or a `Spectrum` of all or of each. Where no triangle is met
+    below the horizon lies open ground of `ground_albedo`, a number, (C,) or a `Spectrum`. Needs
     trimesh and embreex: pip install "skydome[scene]". ValueError for no triangles, one without area, or a
     reflectance outside.
 
@@ -46,7 +48,7 @@ class MeshScene:
     vertices: Any
     faces: Any
     reflectance: Any = 0.0
-    ground_albedo: float = 0.0
+    ground_albedo: Any = 0.0
     casts: Any = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -59,9 +61,9 @@ class MeshScene:
             raise ValueError("vertices must be finite, got NaN or infinity")
         if faces.dtype.kind not in "iu" or faces.min() < 0 or faces.max() >= len(vertices):
             raise ValueError(f"faces must be whole numbers in [0, {len(vertices)}), got {faces.min()} to {faces.max()}")
-        reflectance = np.broadcast_to(np.asarray(self.reflectance, dtype=np.float64), len(faces))
-        if not ((reflectance >= 0) & (reflectance < 1)).all() or not 0 <= self.ground_albedo <= 1:
-            raise ValueError("reflectance must lie in [0, 1) and ground_albedo in [0, 1]")
+        check_shares("reflectance", self.reflectance, BELOW_ONE)
+        check_shares("ground_albedo", self.ground_albedo)
+        reflectance = of_faces(self.reflectance, len(faces))
         for name, value in (("vertices", vertices), ("faces", faces), ("reflectance", reflectance)):
             object.__setattr__(self, name, value)
         if (self.areas <= 0).any():
@@ -78,7 +80,13 @@ class MeshScene:
         """The same scene with no triangle's edge longer than `longest`, m."""
         subdivide: Any = trimesh_library().remesh.subdivide_to_size
         vertices, faces, origin = subdivide(self.vertices, self.faces, longest, max_iter=20, return_index=True)
-        return MeshScene(vertices, faces, self.reflectance[origin], self.ground_albedo)
+        reflectance = self.reflectance
+        if isinstance(reflectance, Spectrum):
+            every = reflectance.values.ndim == 2
+            reflectance = Spectrum(reflectance.wavelengths, reflectance.values[origin]) if every else reflectance
+        else:
+            reflectance = reflectance[origin]
+        return MeshScene(vertices, faces, reflectance, self.ground_albedo)
 
     @cached_property
     def triangles(self) -> np.ndarray:
@@ -143,36 +151,61 @@ class MeshScene:
         """The view from a point (3,) of a surface that faces `normal` (3,)."""
         return PlaneView.of(self.at(point, normal), normal, bands, tolerance)
 
-    def lit(self, sky: Sky) -> Array:
-        """Illuminance of every triangle with interreflection, lx, (..., N)."""
-        ground = {GROUND: self.ground_luminance(sky)}
-        direct = [sum(view.receive(sky, ground).total for view in views) / len(views) for views in self.face_views]
-        return interreflected(stacked(direct), self.factors, self.reflectance)
+    def lit(self, sky: Sky, light: LightKind = LUX) -> Array:
+        """Illuminance of every triangle with interreflection, lx, (..., N); in another kind of `light` (..., N, C)."""
+        ground = {GROUND: self.ground_luminance(sky, light)}
+        direct = [
+            sum(view.receive(sky, ground, light=light).total for view in views) / len(views)
+            for views in self.face_views
+        ]
+        balance = interreflected_channels if light.trailing else interreflected
+        return balance(side_by_side(direct, light), self.factors, self.reflectances(light))
 
-    def ground_luminance(self, sky: Sky) -> Array:
-        """Luminance of the open ground around the scene, cd m-2, (...,)."""
-        return illuminance(sky) * (self.ground_albedo / np.pi)
+    def reflectances(self, light: LightKind = LUX) -> np.ndarray:
+        """Reflectance of every triangle, (N,), or (N, C) by channel."""
+        return channelled(self.reflectance, light, len(self.faces))
 
-    def illuminance(self, sky: Sky, points: Any, normals: Any = ZENITH, bands: int = 64) -> Received:
-        """Light at points (P, 3), m, on planes facing `normals` (P, 3) or (3,), lx, (..., P): sky, sun, reflected."""
+    def ground_luminance(self, sky: Sky, light: LightKind = LUX) -> Array:
+        """Luminance of the open ground around the scene, cd m-2, (...,) or (..., C)."""
+        falling = light.on_level(sky)
+        return falling * constant(channelled(self.ground_albedo, light) / np.pi, falling)
+
+    def illuminance(
+        self, sky: Sky, points: Any, normals: Any = ZENITH, bands: int = 64, light: LightKind = LUX
+    ) -> Received:
+        """Light at points (P, 3), m, on planes facing `normals` (P, 3) or (3,), lx, (..., P): sky, sun, reflected.
+
+        In another kind of `light` (..., P, C).
+        """
         places = np.atleast_2d(np.asarray(points, dtype=np.float64))
         facing = np.broadcast_to(checked_directions(normals, "normals"), places.shape)
-        luminances: dict[int, Any] = {GROUND: self.ground_luminance(sky)}
-        if self.reflectance.any():
-            light = self.lit(sky)
-            luminances |= {k: light[..., k] * (rho / np.pi) for k, rho in enumerate(self.reflectance)}
-        found = [self.view(p, n, bands).receive(sky, luminances) for p, n in zip(places, facing, strict=True)]
-        return Received(*(stacked([getattr(one, name) for one in found]) for name in ("sky", "sun", "reflected")))
+        luminances: dict[int, Any] = {GROUND: self.ground_luminance(sky, light)}
+        reflectances = self.reflectances(light)
+        if reflectances.any():
+            lit = self.lit(sky, light)
+            luminances |= {
+                k: light.pick(lit, k) * constant(np.asarray(rho) / np.pi, lit) for k, rho in enumerate(reflectances)
+            }
+        found = [
+            self.view(p, n, bands).receive(sky, luminances, light=light) for p, n in zip(places, facing, strict=True)
+        ]
+        return Received(
+            *(side_by_side([getattr(one, name) for one in found], light) for name in ("sky", "sun", "reflected"))
+        )
 
 
-def stacked(columns: list[Any]) -> Array:
-    """Values of the same shape (...,) as one array (..., P)."""
-    first = next((column for column in columns if hasattr(column, "dtype")), np.zeros(()))
-    xp = namespace(first)
-    shape = np.broadcast_shapes(*(np.shape(column) for column in columns))
-    return xp.stack(
-        [xp.broadcast_to(constant(c, first), shape) if not hasattr(c, "shape") else c for c in columns], axis=-1
-    )
+def of_faces(reflectance: Any, count: int) -> Any:
+    """A reflectance as it is kept: a `Spectrum`, or numbers (N,) or (N, C); ValueError where the faces do not fit."""
+    if isinstance(reflectance, Spectrum):
+        if reflectance.values.ndim == 2 and len(reflectance.values) != count:
+            raise ValueError(
+                f"reflectance must have a spectrum of each of {count} faces, got {len(reflectance.values)}"
+            )
+        return reflectance
+    numbers = np.asarray(reflectance, dtype=np.float64)
+    if numbers.shape not in ((), (count,)) and (numbers.ndim != 2 or len(numbers) != count):
+        raise ValueError(f"reflectance must be a number, (N,) or (N, C) with N = {count}, got {numbers.shape}")
+    return np.broadcast_to(numbers, (count, *numbers.shape[1:]))
 
 
 @dataclass(frozen=True, eq=False)

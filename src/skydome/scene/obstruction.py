@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from skydome.dome.integrals import discs_and_rest, illuminance
-from skydome.ground.arrays import Array, as_numpy, constant
+from skydome.dome.integrals import discs_and_rest
+from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
-from skydome.scene.bands import Bands, matched
+from skydome.scene.bands import Bands
+from skydome.scene.light_kinds import LUX, LightKind, channelled, check_shares, in_library_of
 from skydome.scene.obstruction_intervals import SKY, Intervals, Surroundings, intervals, refined
 from skydome.skies.sky import Sky
 from skydome.skies.sun_disc import SunDisc
@@ -19,7 +20,10 @@ TOLERANCE = 3e-4
 
 @dataclass(frozen=True, eq=False)
 class Received:
-    """Light on a plane, lx: from the `sky`, the `sun`'s disc, and `reflected`; each (...,), the sky's leading axes."""
+    """Light on a plane, lx: from the `sky`, the `sun`'s disc, and `reflected`; each (...,), the sky's leading axes.
+
+    In another kind of light, its unit, and (..., C).
+    """
 
     sky: Array
     sun: Array
@@ -69,21 +73,19 @@ class PlaneView:
         """Share of the light of a uniform sky that would fall on the plane if sky were all around, in [0, 1]."""
         return float(self.weights.sum() / np.pi)
 
-    def from_sky(self, sky: Sky) -> Array:
+    def from_sky(self, sky: Sky, light: LightKind = LUX) -> Array:
         """Illuminance from the visible sky without its sun's discs, lx, shape (...,): the sky's leading axes."""
         total: Array = 0.0
         for part in discs_and_rest(sky)[1]:
-            light = part.luminance(matched(self.directions, part))
-            total = total + light @ constant(self.weights, light)
+            total = total + light.weighted(light.toward(part, in_library_of(self.directions, part)), self.weights)
         return total
 
-    def from_sun(self, sky: Sky) -> Array:
+    def from_sun(self, sky: Sky, light: LightKind = LUX) -> Array:
         """Illuminance from the unobstructed part of the sun's discs, lx, shape (...,)."""
         total: Array = 0.0
         for disc, factor in discs_and_rest(sky)[0]:
-            lit = disc.illuminance(matched(self.normal, disc))
-            share = constant(visible_share(disc, self.surroundings), lit)
-            total = total + without_direction_axis(lit * share * factor)
+            share = in_library_of(visible_share(disc, self.surroundings), disc)
+            total = total + light.sun_on(disc, self.normal, share * factor)
         return total
 
     def from_faces(self, luminances: "dict[int, Any]") -> Array:
@@ -93,14 +95,30 @@ class PlaneView:
             total = total + luminances.get(int(label), 0.0) * factor
         return total
 
-    def receive(self, sky: Sky, luminances: "dict[int, Any] | None" = None, albedo: float = 0.0) -> Received:
-        """The light on the plane. Labels without a luminance shine as ground of `albedo` under the open sky."""
+    def receive(
+        self, sky: Sky, luminances: "dict[int, Any] | None" = None, albedo: Any = 0.0, light: LightKind = LUX
+    ) -> Received:
+        """The light on the plane. Labels without a luminance shine as ground of `albedo` under the open sky.
+
+        `light` says in what it is counted: LightInRGB(), LightInWavelengths([450.0, 550.0]); `albedo` may then differ
+        by channel, and `luminances` have channels last.
+        """
+        received, sun = self.from_sky(sky, light), self.from_sun(sky, light)
         reflected: Array = self.from_faces(luminances) if luminances else 0.0
-        if albedo:
+        ground = channelled(albedo, light)
+        if ground.any():
             known = luminances or {}
             rest = sum(f for label, f in zip(self.labels, self.factors, strict=True) if int(label) not in known)
-            reflected = reflected + illuminance(sky) * (albedo / np.pi * rest)
-        return Received(self.from_sky(sky), self.from_sun(sky), reflected)
+            falling = light.on_level(sky)
+            reflected = reflected + falling * constant(ground / np.pi * rest, falling)
+        return Received(received, shaped_like(sun, received), shaped_like(reflected, received))
+
+
+def shaped_like(light: Any, other: Any) -> Array:
+    """No light (the number 0) as zeros of the other's shape; anything else as it is."""
+    if hasattr(light, "shape") or not hasattr(other, "shape"):
+        return light
+    return namespace(other).zeros_like(other)
 
 
 def uniform_between(bands: Bands, found: Intervals) -> np.ndarray:
@@ -128,11 +146,6 @@ def visible_share(disc: SunDisc, surroundings: Surroundings) -> np.ndarray:
     return np.asarray((surroundings.seen(points) < 0).mean(axis=-1))
 
 
-def without_direction_axis(light: Array) -> Array:
-    """Light of shape (T, 1) as (T,): the sun's last leading axis stands for directions."""
-    return light[..., 0] if light.ndim and light.shape[-1] == 1 else light
-
-
 def obstructed_illuminance(
     sky: Sky,
     surroundings: Surroundings,
@@ -140,18 +153,23 @@ def obstructed_illuminance(
     *,
     bands: "int | Bands" = 64,
     luminances: "dict[int, Any] | None" = None,
-    albedo: float = 0.0,
+    albedo: Any = 0.0,
+    light: LightKind = LUX,
 ) -> Received:
     """Light on a plane facing `normal` (3,) among surroundings, lx: `.sky`, `.sun`, `.reflected` and their `.total`.
 
     `luminances`, cd m-2, by the surroundings' labels; what has none reflects as ground of `albedo` (0-1) under the
-    open sky. For many skies make `PlaneView.of(...)` once. ValueError for an albedo outside [0, 1].
+    open sky. `light` counts it in colour: LightInXYZ(), LightInRGB(), LightInWavelengths([450.0, 550.0]), with the
+    channels last and an albedo for each if wanted (or a `Spectrum`). For many skies make `PlaneView.of(...)` once.
+    ValueError for an albedo outside [0, 1]; TypeError for a sky without colour where colour is asked for.
 
     >>> import skydome as sd
     >>> received = obstructed_illuminance(sd.Uniform(1000.0), sd.Horizon.level(30 * sd.deg))
     >>> bool(abs(received.total / (1000 * np.pi * 0.75) - 1) < 1e-3)
     True
+    >>> blue = sd.HosekWilkie(sd.direction(2.0, 0.7), turbidity=3.0)
+    >>> obstructed_illuminance(blue, sd.Horizon.level(0.5), light=sd.LightInRGB()).total.shape
+    (3,)
     """
-    if not 0 <= albedo <= 1:
-        raise ValueError(f"albedo must lie in [0, 1], got {albedo}")
-    return PlaneView.of(surroundings, normal, bands).receive(sky, luminances, albedo)
+    check_shares("albedo", albedo)
+    return PlaneView.of(surroundings, normal, bands).receive(sky, luminances, albedo, light)

@@ -141,3 +141,11 @@ def interreflected(direct: Array, factors: Array, reflectance: Any) -> Array:
         if direct.ndim > 1
         else (xp.linalg.solve(system, direct[:, None])[:, 0])
     )
+
+
+def interreflected_channels(direct: Array, factors: Array, reflectance: Any) -> Array:
+    """The same of light in channels (..., N, C), each for itself; `reflectance` (N,), or (N, C) by channel."""
+    xp = namespace(direct)
+    known = np.asarray(reflectance, dtype=np.float64)
+    each = [known[:, c] if known.ndim == 2 else known for c in range(direct.shape[-1])]
+    return xp.stack([interreflected(direct[..., c], factors, rho) for c, rho in enumerate(each)], axis=-1)
