@@ -10,6 +10,7 @@ from skydome import __version__
 from skydome.cli.animate import animate
 from skydome.cli.convert import convert
 from skydome.cli.evaluate import evaluate
+from skydome.cli.fit import fit
 from skydome.cli.glare import glare
 from skydome.cli.illuminance import illuminance
 from skydome.cli.list_models import models
@@ -64,6 +65,7 @@ for command in (
     illuminance,
     evaluate,
     simulate,
+    fit,
     terrain,
     year,
     train,

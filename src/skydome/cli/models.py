@@ -82,7 +82,8 @@ class Model:
         allowed |= set(self.takes) | set(LEVELS if self.levelled else ())
         if options.direct_normal_irradiance is not None:
             allowed |= {"turbidity"}
-        for name in ("turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "letters", *PATHS, *LEVELS):
+        optional = ("diffuse_horizontal_irradiance", "dew_point", "compat", "letters", "tables", *PATHS, *LEVELS)
+        for name in ("turbidity", *optional):
             if getattr(options, name) is not None and name not in allowed:
                 raise ValueError(f"{self.name} takes no {option_name(name)}; `skydome models` tells what it takes")
 
@@ -96,7 +97,7 @@ class Model:
                 found |= dict(zip("abcde", letters(self.name, value), strict=True))
             elif value is not None:
                 found[name] = value
-            elif name not in ("dew_point", "compat"):
+            elif name not in ("dew_point", "compat", "tables"):
                 raise ValueError(f"{self.name} needs {option_name(name)} ({name.replace('_', ' ')}, W m-2)")
         return found
 
@@ -170,7 +171,7 @@ def letters(model: str, text: str | None) -> tuple[float, ...]:
 PEREZ_TAKES = ("direct_normal_irradiance", "diffuse_horizontal_irradiance", "dew_point", "compat")
 
 MODELS: tuple[Model, ...] = (
-    Model("hosek-wilkie", "HosekWilkie", ("turbidity", "albedo"), own_sun=True),
+    Model("hosek-wilkie", "HosekWilkie", ("turbidity", "albedo", "tables"), own_sun=True),
     Model("hosek-wilkie-rgb", "HosekWilkieRGB", ("turbidity", "albedo"), own_sun=True),
     Model("preetham", "Preetham", ("turbidity",), own_sun=True),
     *(

@@ -6,6 +6,7 @@ Only the standard library and typer are imported here, so that help is quick.
 import inspect
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields
+from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_type_hints
 
 from typer import Option
@@ -75,6 +76,10 @@ class SkyOptions(SunOptions):
     ] = None
     compat: Annotated[
         str | None, Option(metavar="paper|gendaylit", help="Whose limits perez-all-weather has.", rich_help_panel=AIR)
+    ] = None
+    tables: Annotated[
+        Path | None,
+        Option(metavar="FILE", help="Tables of one's own by `skydome fit` (hosek-wilkie).", rich_help_panel=AIR),
     ] = None
     letters: Annotated[
         str | None, Option(metavar="A,B,C,D,E", help="Perez's five letters (perez).", rich_help_panel=AIR)

@@ -7,6 +7,7 @@ spectral form ends at 720 nm | `xyz` is the authors' XYZ fit, `radiance` their b
 """
 
 from dataclasses import dataclass
+from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,27 +17,19 @@ from skydome.ground.directions import elevation
 from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.spectrum import Spectrum, cie_1931
+from skydome.light.spectrum import Spectrum, cie_1931, xyz_weights
 from skydome.skies.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.quantity import Quantity
 from skydome.skies.sky import SpectralSky
+from skydome.skies.sky_tables import SkyTables, blended, control_weights
 from skydome.skies.validity import Range, require
 
 BANDS = np.arange(320.0, 721.0, 40.0)
 """Wavelengths of the spectral form's bands, nm."""
 
 ALBEDO = Range(0.0, 1.0)
-BINOMIAL = np.array([1.0, 5.0, 10.0, 10.0, 5.0, 1.0])
 ORDER = np.array([0, 1, 2, 3, 4, 5, 6, 8, 7])
 """From A..I to the tables' columns, which stand in the order A B C D E F G I H."""
-
-
-def control_weights(sun_elevation: Array) -> Array:
-    """Weights of the six control points, (..., 6): Bernstein polynomials in (elevation / 90 deg)^(1/3)."""
-    s = (limited(sun_elevation, 1e-12, np.pi / 2) / (np.pi / 2)) ** (1 / 3)
-    k = constant(np.arange(6.0), s)
-    s = s[..., None]
-    return constant(BINOMIAL, s) * s**k * (1 - s) ** (5 - k)
 
 
 def turbidity_weights(turbidity: Array) -> Array:
@@ -55,34 +48,35 @@ def interpolated_coefficients(form: str, turbidity: Array, albedo: Array, sun_el
     `albedo` (...,) or (..., channels) broadcasts against the channels.
     """
     xp = namespace(turbidity, sun_elevation)
-    stored = archive("hosek_wilkie_2013")
-    table = np.concatenate(
-        [stored[f"{form}_radiance"][..., None], stored[f"{form}_parameters"][..., ORDER]], axis=-1
-    )  # (turbidity, albedo, control, channel, 10)
-    channels = table.shape[-2]
-    weights = turbidity_weights(turbidity)[..., :, None] * control_weights(sun_elevation)[..., None, :]
-    weights = xp.reshape(weights, (*tuple(weights.shape)[:-2], 60))
-    mixed = weights @ constant(table.transpose(0, 2, 1, 3, 4).reshape(60, 2 * channels * 10), weights)
-    mixed = xp.reshape(mixed, (*tuple(mixed.shape)[:-1], 2, channels, 10))
-    albedo = albedo[..., None]
-    return mixed[..., 0, :, :] * (1 - albedo) + mixed[..., 1, :, :] * albedo
+    return blended(
+        published(form),
+        turbidity_weights(turbidity),
+        xp.stack([1 - albedo, albedo], axis=-1),
+        control_weights(sun_elevation),
+    )
 
 
 @settled
-def band_weights(wavelengths: Any) -> np.ndarray:
-    """Linear interpolation from the 11 bands to wavelengths (W,) nm in 320-720, matrix (11, W); ValueError outside."""
+def published(form: str) -> np.ndarray:
+    """The authors' control points of R A ... I, (turbidity, albedo, control, channel, 10)."""
+    stored = archive("hosek_wilkie_2013")
+    return np.concatenate([stored[f"{form}_radiance"][..., None], stored[f"{form}_parameters"][..., ORDER]], axis=-1)
+
+
+@settled
+def band_weights(wavelengths: Any, bands: np.ndarray = BANDS) -> np.ndarray:
+    """Linear interpolation from bands (B,) to wavelengths (W,) nm among them, matrix (B, W); ValueError outside."""
     wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
-    require("wavelengths", wavelengths, Range(BANDS[0], BANDS[-1], "nm"))
-    weights: np.ndarray = np.maximum(0.0, 1 - np.abs(wavelengths - BANDS[:, None]) / 40.0)
-    return weights
+    require("wavelengths", wavelengths, Range(float(bands[0]), float(bands[-1]), "nm"))
+    return np.stack([np.interp(wavelengths, bands, row) for row in np.eye(bands.size)])
 
 
-def channel_albedo(albedo: Any, form: str, like: Array) -> Array:
+def channel_albedo(albedo: Any, form: str, like: Array, bands: np.ndarray = BANDS) -> Array:
     """The albedo of each channel: a number or array (...,) for all, (..., 1); of a Spectrum each channel's mean."""
     if not isinstance(albedo, Spectrum):
         return floating(albedo, like=like)[..., None]
     if form == "spectral":
-        return constant(albedo.at(BANDS), like)
+        return constant(albedo.at(bands), like)
     grid = np.arange(380.0, 781.0, 5.0)
     response = cie_1931(grid)
     if form == "rgb":
@@ -114,7 +108,8 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
     """The clear sky of Hosek and Wilkie: spectral radiance from its 11 bands, colour from its own XYZ fit.
 
     Known errors: fitted without the sun's disc; 320-720 nm; the XYZ fit and the integral of the bands differ by a few
-    percent (docs/models/hosek-wilkie.md gives figures). `HosekWilkieRGB` is the third native form.
+    percent (docs/models/hosek-wilkie.md gives figures). `HosekWilkieRGB` is the third native form. `tables` (a
+    `SkyTables` or its file) put a family of one's own in place of the authors', with its ranges and bands.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
@@ -125,26 +120,59 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
     (3,)
     """
 
+    tables: "SkyTables | str | PathLike[str] | None" = None
     bands: ClassVar[np.ndarray] = BANDS
 
+    def __post_init__(self) -> None:
+        """Validate, by the ranges of the tables where some are given."""
+        if self.tables is not None:
+            tables = self.tables if isinstance(self.tables, SkyTables) else SkyTables.load(self.tables)
+            spans = {"turbidity": tables.turbidities, "albedo": tables.albedos}
+            ranges = {name: Range(float(nodes[0]), float(nodes[-1])) for name, nodes in spans.items()}
+            for name, value in (("tables", tables), ("ranges", ranges), ("bands", tables.wavelengths)):
+                object.__setattr__(self, name, value)
+        super().__post_init__()
+
+    @property
+    def valid(self) -> Array:
+        """True where turbidity, albedo and sun lie where they were fitted."""
+        lowest = self.tables.lowest - 1e-9 if isinstance(self.tables, SkyTables) else -np.pi
+        return super().valid & (elevation(self.sun) >= lowest)
+
+    @property
+    def by_tables(self) -> bool:
+        """Whether the sky is that of tables of one's own."""
+        return isinstance(self.tables, SkyTables)
+
+    def band_coefficients(self) -> Array:
+        """R A ... I of each band, shape (..., W, 10)."""
+        if not isinstance(self.tables, SkyTables):
+            return self.form_coefficients("spectral")
+        turbidity = self.parameter("turbidity")
+        albedo = channel_albedo(self.albedo, "spectral", turbidity, self.bands)
+        return self.tables.coefficients(turbidity, albedo, elevation(self.sun))
+
     def coefficients(self) -> Array:
-        """R A ... I of X, Y, Z, shape (..., 3, 10)."""
-        return self.form_coefficients("xyz")
+        """R A ... I of X, Y, Z, shape (..., 3, 10); of the bands where the sky is by tables of one's own."""
+        return self.band_coefficients() if self.by_tables else self.form_coefficients("xyz")
 
     def xyz_recipe(self) -> Recipe:
-        """The XYZ fit times 683 lm W-1."""
-        return self.coefficients(), Quantity(LUMINOUS_EFFICACY * np.eye(3))
+        """The XYZ fit times 683 lm W-1; by tables of one's own the integral of the bands."""
+        matrix = xyz_weights(self.bands).T if self.by_tables else LUMINOUS_EFFICACY * np.eye(3)
+        return self.coefficients(), Quantity(matrix)
 
     def luminance_recipe(self) -> Recipe:
-        """The Y of the XYZ fit times 683 lm W-1."""
+        """The Y of the XYZ."""
+        if self.by_tables:
+            return self.coefficients(), Quantity(xyz_weights(self.bands).T[1:2])
         return self.coefficients()[..., 1:2, :], Quantity(LUMINOUS_EFFICACY * np.eye(1))
 
     def radiance_recipe(self, wavelengths: Any) -> Recipe:
         """The bands that the wavelengths need, and their linear interpolation."""
-        weights = band_weights(wavelengths)
+        weights = band_weights(wavelengths, self.bands)
         used = np.flatnonzero(weights.any(axis=1))
         first, last = used[0], used[-1] + 1
-        return self.form_coefficients("spectral")[..., first:last, :], Quantity(weights[first:last].T)
+        return self.band_coefficients()[..., first:last, :], Quantity(weights[first:last].T)
 
     def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
         """Spectral radiance at 320-720 nm, linear between bands, W m-2 sr-1 nm-1, shape (..., W). See `light`."""

@@ -1,114 +1,115 @@
-"""A family of nine-number skies: each number a quintic Bezier curve in the cube root of the sun's elevation.
+"""A sky model of one's own: the nine numbers as quintic Bezier curves in the cube root of the sun's elevation.
 
-All suns of an atmosphere and a wavelength are fitted together, so that the numbers change smoothly: the curves of A, B,
-E and H are searched for, those of C, D, F, G and I, in which the light is linear, follow (variable projection).
+For each wavelength all suns, turbidities and albedos are fitted together. Between turbidities the numbers are mixed,
+so they must change smoothly: curves that bend from turbidity to turbidity cost, as a weak spring does. The first guess
+goes from turbidity to turbidity, each beginning at its neighbour's answer; all are then moved together
+(Levenberg-Marquardt).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
-from skydome.ground.directions import direction
-from skydome.ground.units import deg
-from skydome.skies.discrete_ordinates import DiscreteOrdinates
-from skydome.skies.hosek_wilkie import control_weights
-from skydome.skies.perez_formula import view_geometry
-from skydome.skies.refitted import Numbers
-from skydome.study.refit import LIMITS, Views, basis, fitted
+from skydome.skies.sky_tables import POINTS, SkyTables
+from skydome.study.bezier_fit import AllSuns, State
+from skydome.study.refit import LIMITS
+from skydome.study.sky_family import SkyFamily
 
-SUNS = np.array([5, 6.5, 9, 12, 16, 22, 29, 37, 46, 56, 67, 78, 90.0]) * deg
-CURVES, POINTS = 4, 6
+SCALE = np.repeat((1.0, 0.3, 3.0, 0.2), POINTS)
+LOW, HIGH = (np.repeat(limit, POINTS) + inset for limit, inset in zip(LIMITS, (1e-3, -1e-3), strict=True))
+SLOPE, BEND = 1e-4, 3e-3
+"""Residuals that stand for a change, and for a change of it, of one `SCALE` from turbidity to turbidity."""
+FIRST = 1e-2
+"""The same for a change from the neighbour that a first guess begins at."""
+
+
+def bezier_family(family: SkyFamily, progress: Callable[[int, int], None] | None = None) -> SkyTables:
+    """The tables fitted to a family of skies; `HosekWilkie(sun, turbidity, albedo, tables=...)` is their sky.
+
+    Errors are relative, weighted by solid angle, alike for all suns. `progress(done, of)` is called after each
+    wavelength. ValueError for light that is not positive, and for fewer than six suns.
+    """
+    if family.elevations.size < POINTS or not (family.radiance > 0).all():
+        raise ValueError(f"six suns or more and light over 0 are needed, got {family.elevations.size} suns, "
+                         f"least light {family.radiance.min():g}")  # fmt: skip
+    control, error = [], []
+    for w in range(family.wavelengths.size):
+        airs = [AllSuns.of(family, light[..., w]) for light in family.radiance]
+        found = together(airs, guessed(airs))
+        parts = [air.points(x) for air, x in zip(airs, found, strict=True)]
+        control.append([points for points, _ in parts])
+        error.append([errors for _, errors in parts])
+        if progress is not None:
+            progress(w + 1, family.wavelengths.size)
+    nodes = family.turbidities, family.albedos, family.wavelengths
+    points, errors = np.moveaxis(np.array(control), 0, 3), np.moveaxis(np.array(error), 0, 2)
+    return SkyTables(*nodes, points, errors, float(family.elevations.min()))
+
+
+def guessed(airs: list[AllSuns]) -> Array:
+    """A first guess of the control points, (T, 24): from the third turbidity up, then down, each near the last."""
+    first = min(2, len(airs) - 1)
+    found = {first: together([airs[first]], airs[first].middle()[None])[0]}
+    for k in [*range(first + 1, len(airs)), *range(first - 1, -1, -1)]:
+        near = found[k - 1 if k > first else k + 1]
+        found[k] = together([airs[k]], near[None], FIRST)[0]
+    return np.stack([found[k] for k in range(len(airs))])
+
+
+def together(airs: list[AllSuns], start: np.ndarray, held: float = 0.0, rounds: int = 30) -> Array:
+    """Control points (T, 24) that make squared differences and springs least, by Levenberg-Marquardt from a start.
+
+    `held` ties them to the start.
+    """
+    springs = Springs.of(start, held)
+    x, damping = np.clip(start, LOW, HIGH), 1e-4
+    now = [air.solved(row) for air, row in zip(airs, x, strict=True)]
+    cost = springs.cost(now, x)
+    for _ in range(rounds):
+        before, (hessian, gradient) = cost, normal_equations(airs, springs, now, x)
+        while damping < 1e6:
+            step = np.linalg.solve(hessian + damping * np.diag(np.tile(SCALE**-2, len(airs))), gradient)
+            tried = np.clip(x - step.reshape(x.shape), LOW, HIGH)
+            then = [air.solved(row) for air, row in zip(airs, tried, strict=True)]
+            if springs.cost(then, tried) < cost:
+                x, now, cost, damping = tried, then, springs.cost(then, tried), damping / 5
+                break
+            damping *= 5
+        if before - cost < 1e-5 * cost:
+            break
+    return x
 
 
 @dataclass(frozen=True, eq=False)
-class Family:
-    """Control points (T, W, 10, 6) of R A ... I for turbidities (T,) and wavelengths (W,); `error` (T, W), relative."""
+class Springs:
+    """Half the springs' energy is x stiff x / 2 - drawn x, for control points x, flat."""
 
-    turbidities: np.ndarray
-    wavelengths: np.ndarray
-    control: np.ndarray
-    error: np.ndarray
+    stiff: np.ndarray
+    drawn: np.ndarray
 
-    def numbers(self, turbidity: float, elevations: Any = SUNS) -> Numbers:
-        """The nine numbers of a turbidity, linear between those fitted, at sun elevations (E,), for `Refitted`.
+    @classmethod
+    def of(cls, start: np.ndarray, held: float) -> "Springs":
+        """Between turbidities, of changes and of changes of changes; and to the start (T, 24), as `held` says."""
+        slopes = np.diff(np.eye(len(start)), axis=0)
+        pull = np.concatenate([SLOPE * slopes, BEND * np.diff(slopes, axis=0), held * np.eye(len(start))])
+        return cls(np.kron(pull.T @ pull, np.diag(SCALE**-2)), (held**2 * start / SCALE**2).ravel())
 
-        ValueError for a turbidity outside those fitted.
-        """
-        low, high = self.turbidities[[0, -1]]
-        if not low <= turbidity <= high:
-            raise ValueError(f"turbidity must lie in [{low:g}, {high:g}], got {turbidity:g}")
-        place = float(np.interp(turbidity, self.turbidities, np.arange(self.turbidities.size)))
-        first = min(int(place), max(self.turbidities.size - 2, 0))
-        share, last = place - first, min(first + 1, self.turbidities.size - 1)
-        heights = np.asarray(elevations, dtype=np.float64)
-        control = self.control[first] * (1 - share) + self.control[last] * share
-        curves = np.einsum("wcp,ep->ewc", control, control_weights(heights))
-        error = self.error[first] * (1 - share) + self.error[last] * share
-        return Numbers(heights, self.wavelengths, curves, np.broadcast_to(error, curves.shape[:2]))
+    def cost(self, states: list[State], x: np.ndarray) -> float:
+        """Half the squared differences and the springs' energy."""
+        flat, own = x.ravel(), sum(float((state[0] ** 2).sum()) for state in states)
+        return 0.5 * own + 0.5 * float(flat @ self.stiff @ flat) - float(self.drawn @ flat)
 
 
-def bezier_family(airs: dict[float, Atmosphere], wavelengths: Any, suns: Any = SUNS) -> Family:
-    """The family fitted to the skies (discrete ordinates) of atmospheres by turbidity, at wavelengths (W,) nm.
-
-    The relative RMS error is weighted by solid angle, alike for all suns (E,). About 2 s an atmosphere and wavelength.
-    """
-    bands, heights, views = np.asarray(wavelengths, dtype=np.float64), np.asarray(suns), Views.half(12, 10)
-    control: list[Any] = []
-    errors = []
-    for _, air in sorted(airs.items()):
-        skies = [
-            DiscreteOrdinates(direction(np.pi, h), air).radiance(views.directions, bands) / air.sun_at(bands)
-            for h in heights
-        ]
-        before = control[-1] if control else [None] * bands.size
-        fits = [bezier_fit(views, heights, np.stack(skies)[..., j], before[j]) for j in range(bands.size)]
-        control.append([points for points, _ in fits])
-        errors.append([error for _, error in fits])
-    return Family(np.array(sorted(airs)), bands, np.array(control), np.array(errors))
-
-
-def bezier_fit(views: Views, heights: np.ndarray, light: np.ndarray, near: Any = None) -> tuple[Array, float]:
-    """Control points (10, 6) of one atmosphere's light (E, D) under suns at `heights`, and the relative RMS error.
-
-    `near`: control points of an atmosphere like it, to start from.
-    """
-    from scipy.optimize import least_squares
-
-    weights = np.asarray(control_weights(heights))
-    geometry = [view_geometry(views.directions, direction(np.pi, h)) for h in heights]
-    share = np.sqrt(views.solid_angles / views.solid_angles.sum() / heights.size)
-
-    def columns(x: np.ndarray) -> Array:
-        curves = weights @ x.reshape(CURVES, POINTS).T
-        parts = [
-            np.einsum("dl,p->dlp", basis(curve, *where) * (share / sky)[:, None], weight).reshape(len(share), -1)
-            for curve, where, sky, weight in zip(curves, geometry, light, weights, strict=True)
-        ]
-        return np.concatenate(parts)
-
-    target = np.tile(share, heights.size)
-
-    def residual(x: np.ndarray) -> Array:
-        matrix = columns(x)
-        return matrix @ np.linalg.lstsq(matrix, target, rcond=1e-12)[0] - target
-
-    low, high = (np.repeat(limit, POINTS) for limit in LIMITS)
-    start = np.repeat(begin_at(views, heights, light), POINTS) if near is None else near[[1, 2, 5, 8]].ravel()
-    scale = np.repeat((1, 0.3, 3, 0.2), POINTS)
-    inside = np.clip(start, low + 1e-3, high - 1e-3)
-    best = least_squares(residual, inside, bounds=(low, high), x_scale=scale, max_nfev=25).x
-    matrix = columns(best)
-    linear = np.linalg.lstsq(matrix, target, rcond=1e-12)[0].reshape(5, POINTS)
-    a, b, e, h = best.reshape(CURVES, POINTS)
-    c, d, f, g, i = linear
-    error = float(np.sqrt((residual(best) ** 2).sum()))
-    return np.stack([np.ones(POINTS), a, b, c, d, e, f, g, h, i]), error
-
-
-def begin_at(views: Views, heights: np.ndarray, light: np.ndarray) -> Array:
-    """A, B, E, H of the sun in the middle, fitted by itself."""
-    middle = heights.size // 2
-    return fitted(views, direction(np.pi, heights[middle]), light[middle])[0][[1, 2, 5, 8]]
+def normal_equations(
+    airs: list[AllSuns], springs: Springs, states: list[State], x: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Curvature (T x 24, T x 24) and slope (T x 24,) of the cost."""
+    hessian, gradient = springs.stiff.copy(), springs.stiff @ x.ravel() - springs.drawn
+    for k, (air, (differences, linear, bases)) in enumerate(zip(airs, states, strict=True)):
+        own = slice(k * SCALE.size, (k + 1) * SCALE.size)
+        rates = air.jacobian(x[k], linear, bases).reshape(-1, SCALE.size)
+        hessian[own, own] += rates.T @ rates
+        gradient[own] += rates.T @ differences.ravel()
+    return hessian, gradient

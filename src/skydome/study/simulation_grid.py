@@ -29,12 +29,13 @@ FORM = 2
 class Grid:
     """Turbidities, ground albedos, sun elevations (degrees), wavelengths (nm), and views: zenith angles x azimuths.
 
-    The usual one is Hosek and Wilkie's: turbidity 1-10, albedo 0 and 1, elevations (n / 45)^3 90 degrees, 11 bands.
+    The usual one is Hosek and Wilkie's whole grid: turbidity 1-10, albedo 0 and 1, elevations (n / 45)^3 90 degrees for
+    n = 1 ... 45, 11 bands. Suns below 5 degrees are less certain (docs/models/physical.md says by how much).
     """
 
     turbidities: tuple[float, ...] = tuple(float(t) for t in range(1, 11))
     albedos: tuple[float, ...] = (0.0, 1.0)
-    elevations: tuple[float, ...] = tuple(round((n / 45) ** 3 * 90, 9) for n in range(15, 46, 2))
+    elevations: tuple[float, ...] = tuple(round((n / 45) ** 3 * 90, 9) for n in range(1, 46))
     wavelengths: tuple[float, ...] = tuple(float(w) for w in range(320, 721, 40))
     zenith_angles: tuple[float, ...] = tuple(float(z) for z in range(2, 89, 4))
     azimuths: tuple[float, ...] = tuple(float(a) for a in range(0, 181, 12))
