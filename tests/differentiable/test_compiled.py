@@ -7,16 +7,23 @@ import pytest
 
 import skydome as sd
 from skydome.ground.quadrature import hemisphere
+from skydome.skies.network_files import shipped_network
+from skydome.skies.neural import NeuralSpectralSky
 
 torch = pytest.importorskip("torch")
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore")]  # torch's compiler warns about itself
 SUN = torch.tensor(sd.direction(2.4, 0.7))
 VIEWS = torch.tensor(hemisphere(4, 6)[0])
+DEEP, SPECTRAL = (shipped_network(f"hosek-wilkie-{kind}")[0] for kind in ("deep", "spectral"))
+CAPTURED = sd.CapturedSky(sd.render(sd.HosekWilkie(sd.direction(2.4, 0.7), 3.0), height=32))
 MODELS = {
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, one * 700.0, one * 100.0),
     "sum": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, zenith_luminance=one * 4e3)) + sd.SunDisc(sun, one * 3.2),
+    "neural": lambda sun, one: sd.NeuralSky(sun, DEEP, one * 3.2),
+    "neural-spectral": lambda sun, one: NeuralSpectralSky(sun, SPECTRAL, one * 3.2, one * 0.3),
+    "captured": lambda sun, one: CAPTURED,
 }
 
 

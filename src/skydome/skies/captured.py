@@ -5,10 +5,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, constant, is_concrete
+from skydome.ground.arrays import Array, as_numpy, constant, is_concrete, is_numpy, namespace
 from skydome.ground.directions import ZENITH, angle_between, checked_directions, rotate_about_vertical
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.lookup import equirectangular
+from skydome.maps.projections import Equirectangular
 from skydome.skies.combination import Combination, combine
 from skydome.skies.sky import ColourSky
 from skydome.skies.sun_disc import SunDisc
@@ -22,8 +24,8 @@ class CapturedSky(ColourSky):
     """A sky looked up in an environment map, blended between texel centres; 0 below the horizon.
 
     `sun` (3,) is where the map's sun stands, None where it is not known. Other than a model's, the sky has its light
-    by night too. Lookups are NumPy's: arrays of other libraries get their answer back without gradients. A map with
-    NaN or infinity is refused.
+    by night too. Lookups in equirectangular maps are made in the directions' own library, with gradients; those in
+    other layouts are NumPy's: other libraries get their answer back without. A map with NaN or infinity is refused.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=2.0, elevation=0.7)
@@ -62,8 +64,16 @@ class CapturedSky(ColourSky):
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""
         directions = checked_directions(directions)
+        layout = self.map.projection
+        if not is_numpy(directions) and isinstance(layout, Equirectangular):
+            light = equirectangular(self.map.pixels, layout, directions)
+            light = light @ constant(self.map.space.to_xyz.T * self.map.white_luminance, directions)
+            return namespace(light).where(directions[..., 2:3] >= 0, light, light * 0)
         if not is_concrete(directions):
-            raise TypeError("a captured sky is looked up in NumPy and cannot be traced; sample it outside jit and grad")
+            name = type(layout).__name__
+            raise TypeError(
+                f"a captured {name} map is looked up in NumPy, not traced; resample it to Equirectangular()"
+            )
         toward = as_numpy(directions)
         light = self.map.sample(toward) @ (self.map.space.to_xyz.T * self.map.white_luminance)
         return constant(np.where(toward[..., 2:3] >= 0, light, 0.0), directions)

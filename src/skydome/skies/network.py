@@ -6,15 +6,37 @@ Satilmis, Bashford-Rogers, Debattista and Chalmers, "A machine-learning-driven s
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.arrays import (
+    Array,
+    at_least,
+    constant,
+    floating,
+    limited,
+    namespace,
+    safe_divide,
+    safe_sqrt,
+    settled,
+)
 from skydome.ground.directions import half_chord_squared
 
-Feature = Callable[[Any, SimpleNamespace], Array]
+
+class Conditions(NamedTuple):
+    """What features are made of, each (...,): the view with the sun's azimuth at pi (eq. 10), and the rest."""
+
+    x: Array
+    y: Array
+    up: Array
+    distance: Array
+    sun_elevation: Array
+    turbidity: Array
+    albedo: Array
+
+
+Feature = Callable[[Any, Conditions], Array]
 
 # Name -> function of (array namespace, conditions); the first six are the paper's (section III-B-1).
 FEATURES: dict[str, Feature] = {
@@ -120,25 +142,31 @@ class Network:
         layers = tuple((weights.astype(dtype), biases.astype(dtype)) for weights, biases in self.layers)
         return Network(self.features, layers, self.output, self.scale, self.bands)
 
+    @settled
+    def layer(self, k: int) -> tuple[np.ndarray, np.ndarray]:
+        """Weights (in, out) and biases (out,) of a layer, in float32 or float64."""
+        weights, biases = self.layers[k]
+        return (weights.astype(np.float64) if weights.dtype == np.float16 else weights).T, biases
+
     def light(self, inputs: Array) -> Array:
         """Light from inputs (..., features) in the unit of `scale`, shape (..., outputs); eq. 5-7."""
         signal = inputs
-        for k, (weights, biases) in enumerate(self.layers):
-            weights = weights.astype(np.float64) if weights.dtype == np.float16 else weights
-            signal = signal @ constant(weights.T, signal) + constant(biases, signal)
+        for k in range(len(self.layers)):
+            weights, biases = self.layer(k)
+            signal = signal @ constant(weights, signal) + constant(biases, signal)
             if k + 1 < len(self.layers):
                 signal = 1 / (1 + signal * signal)
         return self.scale * self.output.light(signal)
 
 
-def conditions(directions: Array, sun: Array, turbidity: Array, albedo: Array) -> SimpleNamespace:
+def conditions(directions: Array, sun: Array, turbidity: Array, albedo: Array) -> Conditions:
     """What features are made of, each (...,): the view with the sun's azimuth at pi (eq. 10), and the rest."""
     xp = namespace(directions, sun)
     east, north, up = directions[..., 0], directions[..., 1], at_least(directions[..., 2], 0.0)
     level = safe_sqrt(sun[..., 0] ** 2 + sun[..., 1] ** 2)
     toward_east, toward_north = safe_divide(sun[..., 0], level), safe_divide(sun[..., 1], level)
     distance = 2 * safe_sqrt(half_chord_squared(directions, sun))
-    return SimpleNamespace(
+    return Conditions(
         x=-(east * toward_east + north * toward_north),
         y=east * toward_north - north * toward_east,
         up=up,
@@ -149,7 +177,7 @@ def conditions(directions: Array, sun: Array, turbidity: Array, albedo: Array) -
     )
 
 
-def features(names: tuple[str, ...], values: SimpleNamespace) -> Array:
+def features(names: tuple[str, ...], values: Conditions) -> Array:
     """The inputs of a network, (..., len(names)); values broadcast together."""
     xp = namespace(values.x, values.turbidity)
     columns = [FEATURES[name](xp, values) for name in names]

@@ -7,15 +7,15 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_numpy, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy, limited, namespace, settled
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
-from skydome.light.spectrum import xyz_weights
+from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.network import Network, conditions, features
 from skydome.skies.network_files import load_network, shipped_network
 from skydome.skies.network_folding import Folded, folded
 from skydome.skies.sky import ColourSky, Sky, SpectralSky
-from skydome.skies.validity import Range
+from skydome.skies.validity import Range, require
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +97,8 @@ class NeuralSky(NeuralForm, ColourSky):
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
-        return xyz_from_rgb(self.rgb(directions))
+        light = self.outputs(directions)
+        return light @ constant(srgb_to_xyz(), light)
 
     def rgb_matrix(self, space: RGBSpace = SRGB) -> np.ndarray:
         """From linear sRGB to the space, (3, 3)."""
@@ -122,18 +123,31 @@ class NeuralSpectralSky(NeuralForm, SpectralSky):
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); ValueError outside the bands."""
-        from skydome.ground.arrays import constant
-        from skydome.skies.validity import require
-
         wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         require("wavelengths", wavelengths, Range(self.bands[0], self.bands[-1], "nm"))
-        weights = np.stack([np.interp(wavelengths, self.bands, row) for row in np.eye(self.bands.size)])
         light = self.outputs(directions)
-        return light @ constant(weights, light)
+        return light @ constant(Spectrum(self.bands, np.eye(self.bands.size)).at(wavelengths), light)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction, Y in cd m-2, of the spectrum linear between the bands, shape (..., 3)."""
+        light = self.outputs(directions)
+        return light @ constant(bands_to_xyz(self.network.bands), light)
 
     def rgb_matrix(self, space: RGBSpace = SRGB) -> np.ndarray:
         """From the bands' spectral radiances, linear between them, to RGB, (3, bands)."""
         return np.asarray(rgb_from_xyz(xyz_weights(self.bands), space)).T
+
+
+@settled
+def srgb_to_xyz() -> np.ndarray:
+    """From linear sRGB to XYZ, as rows times this (3, 3)."""
+    return SRGB.to_xyz.T
+
+
+@settled
+def bands_to_xyz(bands: tuple[float, ...]) -> np.ndarray:
+    """From spectral radiances in bands, nm, to XYZ, as rows times this (bands, 3)."""
+    return xyz_weights(bands)
 
 
 def read_network(network: str | PathLike[str]) -> Network:
