@@ -14,14 +14,16 @@ HAZE_DECAY, GAS_DECAY = F(0.8333e-3), F(0.1136e-3)
 OPAQUE, HIGHEST_GROWTH, DEEPEST = F(11.0), F(40.0), F(-80.0)
 SHARE_DECAY, STRENGTH = F(0.8333e-3), F(0.08)
 ZERO, ONE, HALF = F(0.0), F(1.0), F(0.5)
+LANES = 64
+"""Rays that are computed side by side."""
 
-compiled = numba.njit(fastmath={"nsz", "arcp", "contract", "afn", "reassoc"}, cache=True, error_model="numpy")
-parallel = numba.njit(
-    fastmath={"nsz", "arcp", "contract", "afn", "reassoc"}, cache=True, error_model="numpy", parallel=True
-)
+OPTIONS = {"fastmath": {"nsz", "arcp", "contract", "afn", "reassoc"}, "cache": True, "error_model": "numpy"}
+compiled, parallel = numba.njit(**OPTIONS), numba.njit(parallel=True, **OPTIONS)
+inlined = numba.njit(forceinline=True, **OPTIONS)
+"""For what stands in a loop over rays or nodes, which is vectorised only if nothing is called."""
 
 
-@compiled
+@inlined
 def exponential(x):
     """exp(x) in float32, relative error 3e-7, for x up to 87; exp(-87) below. No branch: loops vectorise."""
     x = max(x, F(-87.0))
@@ -37,7 +39,7 @@ def exponential(x):
     return p * np.int32((np.int32(whole) + np.int32(127)) << np.int32(23)).view(np.float32)
 
 
-@compiled
+@inlined
 def logarithm(x):
     """log(x) in float32 for x of 1 and more, error 1e-7: exponent from the bits, the rest by 2 atanh."""
     bits = np.float32(x).view(np.int32)
@@ -48,7 +50,7 @@ def logarithm(x):
     return F(whole) * F(0.69314718) + s * (F(2.0) + q * (F(2 / 3) + q * (F(2 / 5) + q * (F(2 / 7) + q * F(2 / 9)))))
 
 
-@compiled
+@inlined
 def density_and_column(z, distance):
     """exp(-z), and `distance` times the mean of exp(-z q) over q in 0..1."""
     z = max(z, DEEPEST)
@@ -59,57 +61,76 @@ def density_and_column(z, distance):
     return fall, distance * mean
 
 
+@inlined
+def stretch(distance, cosine, haze_density, gas_density, air):
+    """How a ray is stretched: reach, bend and growth of `FewNodes.stretch`. No branch."""
+    growth = max(-HAZE_DECAY * cosine, ZERO)
+    haze_550, gas_550 = air[6] * haze_density, air[7] * gas_density
+    z = min(growth * distance, HIGHEST_GROWTH)
+    longer = (exponential(z) - ONE) / max(z, F(1e-6))
+    series = ONE + z * (HALF + z * (F(1 / 6) + z * F(1 / 24)))
+    grown = min(distance * (longer if z > F(0.05) else series), OPAQUE / haze_550)
+    reach = grown if growth > ZERO else distance
+    turns = growth * reach
+    bend = STRENGTH * reach * (SHARE_DECAY * max(cosine, ZERO) + haze_550 + gas_550)
+    return reach, bend + F(0.2) * turns / math.sqrt(math.sqrt(ONE + turns)), growth
+
+
+@inlined
+def at_node(q, rest, weight, cosine, reach, bend, growth, haze_density, gas_density, air):
+    """Haze and gas at a node, times its part of the ray, and what is seen through the air before it, R G B."""
+    shrink = ONE + bend * rest
+    y = reach * q / shrink
+    z = growth * y
+    curved = z > F(1e-2)
+    series = y * (ONE - z * (HALF - z * (F(1 / 3) - z * F(0.25))))
+    x = logarithm(ONE + z) / (growth if curved else ONE) if curved else series
+    step = weight / (shrink * shrink * (ONE + z))
+    haze, haze_column = density_and_column(HAZE_DECAY * cosine * x, x)
+    gas, gas_column = density_and_column(GAS_DECAY * cosine * x, x)
+    haze_column *= haze_density
+    gas_column *= gas_density
+    red = exponential(-(air[0] * haze_column + air[3] * gas_column))
+    green = exponential(-(air[1] * haze_column + air[4] * gas_column))
+    blue = exponential(-(air[2] * haze_column + air[5] * gas_column))
+    return haze * step * haze_density, gas * step * gas_density, red, green, blue
+
+
+@inlined
+def columns(distance, cosine, haze_density, gas_density):
+    """Metres of ground air, of haze and of gas, along the whole ray."""
+    _, haze = density_and_column(HAZE_DECAY * cosine * distance, distance)
+    _, gas = density_and_column(GAS_DECAY * cosine * distance, distance)
+    return haze_density * haze, gas_density * gas
+
+
+@inlined
+def scaling(haze_air, gas_air, haze_column, gas_column, haze, gas):
+    """Transmittance of a channel, and the factor that brings I1 and I2 to 1 - transmittance."""
+    depth = haze_air * haze_column + gas_air * gas_column
+    seen, absorbed = density_and_column(depth, depth)
+    return seen, absorbed / max(haze_air * haze + gas_air * gas, F(1e-30))
+
+
 @compiled
 def along(distance, cosine, haze_density, gas_density, air, nodes):
     """Transmittance R G B, I1 R G B and I2 R G B, m, of one ray."""
-    haze_rate, gas_rate = HAZE_DECAY * cosine, GAS_DECAY * cosine
-    _, whole_haze = density_and_column(haze_rate * distance, distance)
-    _, whole_gas = density_and_column(gas_rate * distance, distance)
-    whole_haze, whole_gas = haze_density * whole_haze, gas_density * whole_gas
-    growth = max(-haze_rate, ZERO)
-    haze_550, gas_550 = air[6] * haze_density, air[7] * gas_density
-    reach = distance
-    if growth > ZERO:
-        z = min(growth * distance, HIGHEST_GROWTH)
-        if z > F(1e-4):
-            reach = distance * (exponential(z) - ONE) / z if z > F(0.05) else distance * (ONE + z * (HALF + z / F(6.0)))
-        reach = min(reach, OPAQUE / haze_550)
-    grown = growth * reach
-    bend = STRENGTH * reach * (SHARE_DECAY * max(cosine, ZERO) + haze_550 + gas_550)
-    bend += F(0.2) * grown / math.sqrt(math.sqrt(ONE + grown))
+    reach, bend, growth = stretch(distance, cosine, haze_density, gas_density, air)
     h0, h1, h2, g0, g1, g2 = ZERO, ZERO, ZERO, ZERO, ZERO, ZERO
     for k in range(nodes.shape[1]):
-        shrink = ONE + bend * nodes[1, k]
-        y = reach * nodes[0, k] / shrink
-        z = growth * y
-        curved = z > F(1e-2)
-        series = y * (ONE - z * (HALF - z * (F(1 / 3) - z * F(0.25))))
-        x = logarithm(ONE + z) / (growth if curved else ONE) if curved else series
-        step = nodes[2, k] / (shrink * shrink * (ONE + z))
-        haze, haze_column = density_and_column(haze_rate * x, x)
-        gas, gas_column = density_and_column(gas_rate * x, x)
-        haze_column *= haze_density
-        gas_column *= gas_density
-        haze *= step * haze_density
-        gas *= step * gas_density
-        seen = exponential(-(air[0] * haze_column + air[3] * gas_column))
-        h0 += haze * seen
-        g0 += gas * seen
-        seen = exponential(-(air[1] * haze_column + air[4] * gas_column))
-        h1 += haze * seen
-        g1 += gas * seen
-        seen = exponential(-(air[2] * haze_column + air[5] * gas_column))
-        h2 += haze * seen
-        g2 += gas * seen
-    d0 = air[0] * whole_haze + air[3] * whole_gas
-    d1 = air[1] * whole_haze + air[4] * whole_gas
-    d2 = air[2] * whole_haze + air[5] * whole_gas
-    t0, f0 = density_and_column(d0, d0)
-    t1, f1 = density_and_column(d1, d1)
-    t2, f2 = density_and_column(d2, d2)
-    f0 /= max(air[0] * h0 + air[3] * g0, F(1e-30))
-    f1 /= max(air[1] * h1 + air[4] * g1, F(1e-30))
-    f2 /= max(air[2] * h2 + air[5] * g2, F(1e-30))
+        haze, gas, red, green, blue = at_node(
+            nodes[0, k], nodes[1, k], nodes[2, k], cosine, reach, bend, growth, haze_density, gas_density, air
+        )
+        h0 += haze * red
+        g0 += gas * red
+        h1 += haze * green
+        g1 += gas * green
+        h2 += haze * blue
+        g2 += gas * blue
+    haze_column, gas_column = columns(distance, cosine, haze_density, gas_density)
+    t0, f0 = scaling(air[0], air[3], haze_column, gas_column, h0, g0)
+    t1, f1 = scaling(air[1], air[4], haze_column, gas_column, h1, g1)
+    t2, f2 = scaling(air[2], air[5], haze_column, gas_column, h2, g2)
     return t0, t1, t2, h0 * f0, h1 * f1, h2 * f2, g0 * f0, g1 * f1, g2 * f2
 
 
@@ -149,17 +170,56 @@ def read_light(table, sun, peak, x, y, z, found):
             found[c] += peak[s, k, c] + t * (peak[s, k + 1, c] - peak[s, k, c])
 
 
+@compiled
+def many_along(rays, densities, air, nodes):
+    """The same of LANES rays side by side, so that every step runs in vector registers.
+
+    `rays` (14 LANES,): distances and cosines in; reach, bend, growth; then I1 R G B, I2 R G B and transmittance out.
+    """
+    haze_density, gas_density = densities[0], densities[1]
+    for i in range(LANES):
+        reach, bend, growth = stretch(rays[i], rays[LANES + i], haze_density, gas_density, air)
+        rays[2 * LANES + i], rays[3 * LANES + i], rays[4 * LANES + i] = reach, bend, growth
+        for c in range(6):
+            rays[(5 + c) * LANES + i] = ZERO
+    for k in range(nodes.shape[1]):
+        q, rest, weight = nodes[0, k], nodes[1, k], nodes[2, k]
+        for i in range(LANES):
+            cosine, reach = rays[LANES + i], rays[2 * LANES + i]
+            bend, growth = rays[3 * LANES + i], rays[4 * LANES + i]
+            haze, gas, red, green, blue = at_node(
+                q, rest, weight, cosine, reach, bend, growth, haze_density, gas_density, air
+            )
+            rays[5 * LANES + i] += haze * red
+            rays[6 * LANES + i] += haze * green
+            rays[7 * LANES + i] += haze * blue
+            rays[8 * LANES + i] += gas * red
+            rays[9 * LANES + i] += gas * green
+            rays[10 * LANES + i] += gas * blue
+    for i in range(LANES):
+        haze_column, gas_column = columns(rays[i], rays[LANES + i], haze_density, gas_density)
+        for c in range(3):
+            haze, gas = rays[(5 + c) * LANES + i], rays[(8 + c) * LANES + i]
+            seen, factor = scaling(air[c], air[3 + c], haze_column, gas_column, haze, gas)
+            rays[(5 + c) * LANES + i], rays[(8 + c) * LANES + i] = haze * factor, gas * factor
+            rays[(11 + c) * LANES + i] = seen
+
+
 @parallel
 def veil(distance, direction, densities, air, nodes, table, sun, peak, tau, light):
     """Transmittance and in-scattered light of rays: `distance` (N,), `direction` (N, 3) -> `tau`, `light` (N, 3)."""
     block = 4096
     for start in numba.prange((distance.size + block - 1) // block):
-        found = np.empty(6, np.float32)
-        for n in range(start * block, min((start + 1) * block, distance.size)):
-            x, y, z = direction[n, 0], direction[n, 1], direction[n, 2]
-            read_light(table, sun, peak, x, y, z, found)
-            t0, t1, t2, h0, h1, h2, g0, g1, g2 = along(distance[n], z, densities[0], densities[1], air, nodes)
-            tau[n, 0], tau[n, 1], tau[n, 2] = t0, t1, t2
-            light[n, 0] = found[0] * h0 + found[3] * g0
-            light[n, 1] = found[1] * h1 + found[4] * g1
-            light[n, 2] = found[2] * h2 + found[5] * g2
+        found, rays = np.empty(6, np.float32), np.zeros(14 * LANES, np.float32)
+        end = min((start + 1) * block, distance.size)
+        for first in range(start * block, end, LANES):
+            count = min(LANES, end - first)
+            for i in range(count):
+                rays[i], rays[LANES + i] = distance[first + i], direction[first + i, 2]
+            many_along(rays, densities, air, nodes)
+            for i in range(count):
+                n = first + i
+                read_light(table, sun, peak, direction[n, 0], direction[n, 1], direction[n, 2], found)
+                for c in range(3):
+                    tau[n, c] = rays[(11 + c) * LANES + i]
+                    light[n, c] = found[c] * rays[(5 + c) * LANES + i] + found[3 + c] * rays[(8 + c) * LANES + i]
