@@ -203,4 +203,4 @@ def test_bad_input_to_fitting(tmp_path):
         sd.SkyFamily.from_store(tmp_path / "none.zarr")
     with pytest.raises(ValueError, match="no store of simulated skies"):
         sd.SkyFamily.from_store(tmp_path)
-    assert "must end in .npz" in command("fit", tmp_path, "-o", tmp_path / "a.txt").stderr
+    assert "file of hosek-wilkie must end in .npz" in command("fit", tmp_path, "-o", tmp_path / "a.txt").stderr

@@ -5,13 +5,17 @@ eq. 12 divides x by one F | x and y each by F(0, ts) of their own letters | the 
 no limits given | turbidity 2-6 | those were fitted (section 3.2); below about 2 and for very low suns it goes wild
 """
 
-from dataclasses import dataclass
+import json
+from dataclasses import asdict, dataclass
+from os import PathLike
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
+from skydome.ground.writing import appearing
 from skydome.light.daylight import daylight_weights
 from skydome.skies.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.perez_formula import evaluate, from_perez
@@ -28,11 +32,65 @@ ZENITH_x = ((0.0017, -0.0037, 0.0021, 0.000), (-0.0290, 0.0638, -0.0320, 0.0039)
 ZENITH_y = ((0.0028, -0.0061, 0.0032, 0.000), (-0.0421, 0.0897, -0.0415, 0.0052), (0.1535, -0.2676, 0.0667, 0.2669))
 
 
-def zenith_luminance(turbidity: Array, sun_zenith: Array) -> Array:
+# Slope and constant in T of what multiplies tan chi, and of what is added, kcd m-2 (A.2; seed 000, eq. 16).
+ZENITH_Y = (4.0453, -4.9710, -0.2155, 2.4192)
+CHI = (-1 / 120, 4 / 9)  # slope in T and constant of chi over the sun's elevation times 2 (seed 000, eq. 17)
+
+
+@dataclass(frozen=True)
+class PreethamNumbers:
+    """Every number of the model: letters A to E (5 rows: slope in T, constant) of Y, x and y, and their zenith values.
+
+    `zenith_Y` (4): slope and constant in T of what multiplies tan chi and of what is added, kcd m-2, `chi` (2) those of
+    chi; `zenith_x` and `zenith_y`: rows T^2, T, 1, columns cubic in the sun's zenith angle. `turbidity`: least, most.
+    """
+
+    letters_Y: tuple[tuple[float, ...], ...]
+    letters_x: tuple[tuple[float, ...], ...]
+    letters_y: tuple[tuple[float, ...], ...]
+    zenith_Y: tuple[float, ...]
+    zenith_x: tuple[tuple[float, ...], ...]
+    zenith_y: tuple[tuple[float, ...], ...]
+    chi: tuple[float, ...] = CHI
+    turbidity: tuple[float, ...] = (2.0, 6.0)
+
+    def __post_init__(self) -> None:
+        wanted = ((5, 2), (5, 2), (5, 2), (4,), (3, 4), (3, 4), (2,), (2,))
+        for (name, value), shape in zip(vars(self).items(), wanted, strict=True):
+            array = np.asarray(value, dtype=np.float64)
+            if array.shape != shape or not np.isfinite(array).all():
+                raise ValueError(f"{name} must be {shape} finite numbers, got {np.shape(value)}")
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write to a .json file, whole or not at all."""
+        with appearing(path) as beside:
+            beside.write_text(json.dumps(asdict(self), indent=1), "utf-8")
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> "PreethamNumbers":
+        """From a .json file; ValueError for one that holds something else."""
+        try:
+            held = json.loads(Path(path).read_text("utf-8"))
+            return cls(**held)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{path} holds no numbers of Preetham's model: {error}") from error
+
+
+PUBLISHED = PreethamNumbers(LETTERS_Y, LETTERS_x, LETTERS_y, ZENITH_Y, ZENITH_x, ZENITH_y)
+
+
+def zenith_chi(turbidity: Array, sun_zenith: Array, chi: tuple[float, ...] = CHI) -> Array:
+    """The angle chi of the zenith's luminance, rad, shape (...,) (A.2; seed 000, eq. 17)."""
+    return (chi[0] * turbidity + chi[1]) * (np.pi - 2 * sun_zenith)
+
+
+def zenith_luminance(
+    turbidity: Array, sun_zenith: Array, numbers: tuple[float, ...] = ZENITH_Y, chi: tuple[float, ...] = CHI
+) -> Array:
     """Luminance at the zenith, cd m-2, shape (...,) (A.2, printed in kcd m-2; seed 000, eq. 16-17)."""
     xp = namespace(turbidity, sun_zenith)
-    chi = (4 / 9 - turbidity / 120) * (np.pi - 2 * sun_zenith)
-    return 1000 * ((4.0453 * turbidity - 4.9710) * xp.tan(chi) - 0.2155 * turbidity + 2.4192)
+    a, b, c, d = numbers
+    return 1000 * ((a * turbidity + b) * xp.tan(zenith_chi(turbidity, sun_zenith, chi)) + c * turbidity + d)
 
 
 def zenith_chromaticity(turbidity: Array, sun_zenith: Array, rows: tuple[tuple[float, ...], ...]) -> Array:
@@ -41,7 +99,7 @@ def zenith_chromaticity(turbidity: Array, sun_zenith: Array, rows: tuple[tuple[f
     return (cubics[0] * turbidity + cubics[1]) * turbidity + cubics[2]
 
 
-def letters(turbidity: Array, rows: tuple[tuple[float, float], ...]) -> list[Array]:
+def letters(turbidity: Array, rows: tuple[tuple[float, ...], ...]) -> list[Array]:
     """The five letters A to E, each of the shape of turbidity (A.2)."""
     return [slope * turbidity + intercept for slope, intercept in rows]
 
@@ -65,19 +123,25 @@ class Preetham(ColourFormulaSky, SpectralSky):
     ranges: ClassVar = {"turbidity": Range(2.0, 6.0)}
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2"
 
+    @property
+    def used(self) -> PreethamNumbers:
+        """The model's numbers: those published."""
+        return PUBLISHED
+
     def coefficients(self) -> Array:
         """R A ... I of the channels x, y, Y, shape (..., 3, 10)."""
+        numbers = self.used
         sun_zenith, turbidity = zenith_angle(self.sun), self.parameter("turbidity")
         xp = namespace(sun_zenith, turbidity)
         below = sun_zenith < np.pi / 2
         sun_zenith = xp.where(below, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
         zenith = (
-            zenith_chromaticity(turbidity, sun_zenith, ZENITH_x),
-            zenith_chromaticity(turbidity, sun_zenith, ZENITH_y),
-            zenith_luminance(turbidity, sun_zenith),
+            zenith_chromaticity(turbidity, sun_zenith, numbers.zenith_x),
+            zenith_chromaticity(turbidity, sun_zenith, numbers.zenith_y),
+            zenith_luminance(turbidity, sun_zenith, numbers.zenith_Y, numbers.chi),
         )
         channels = []
-        for rows, value in zip((LETTERS_x, LETTERS_y, LETTERS_Y), zenith, strict=True):
+        for rows, value in zip((numbers.letters_x, numbers.letters_y, numbers.letters_Y), zenith, strict=True):
             relative = from_perez(constant(1.0, turbidity), *letters(turbidity, rows))
             at_zenith = evaluate(relative, xp.ones_like(sun_zenith), sun_zenith)[..., 0]
             channels.append(from_perez(value / at_zenith, *letters(turbidity, rows)))
@@ -103,3 +167,28 @@ class Preetham(ColourFormulaSky, SpectralSky):
     def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
         """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5). See `light`."""
         return self.light(directions, self.radiance_recipe(wavelengths), out)
+
+
+@dataclass(frozen=True, eq=False)
+class RefittedPreetham(Preetham):
+    """Preetham's model with a `table` of numbers of one's own (by `skydome.study.preetham_fit`).
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
+    >>> same = RefittedPreetham(sun, 3.0, PUBLISHED).luminance(sd.ZENITH) == sd.Preetham(sun, 3.0).luminance(sd.ZENITH)
+    >>> bool(same)
+    True
+    """
+
+    table: PreethamNumbers = PUBLISHED
+    source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2, fitted anew"
+
+    def __post_init__(self) -> None:
+        """Validate, by the turbidities that were fitted."""
+        object.__setattr__(self, "ranges", {"turbidity": Range(self.table.turbidity[0], self.table.turbidity[1])})
+        super().__post_init__()
+
+    @property
+    def used(self) -> PreethamNumbers:
+        """The model's numbers: those given."""
+        return self.table
