@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from skydome.year.series import year
-from skydome.year.site_years import DONE, FAILED, open_store, read_sites, run_sites
+from skydome.year.site_store import DONE, FAILED, FIELDS, open_store, write_site
+from skydome.year.site_years import Site, read_sites, run_sites
 from skydome.year.wea import write_wea
 
 pytestmark = pytest.mark.filterwarnings("ignore")  # what distributed says when a worker dies
@@ -23,6 +24,31 @@ def folder(tmp_path_factory, greensboro):
     lines = ["name,file", *(f"site{k},{k}.wea" for k in range(12))]
     (place / "sites.csv").write_text("\n".join(lines) + "\n")
     return place
+
+
+def test_chunks_are_those_that_zarr_writes(greensboro, tmp_path):
+    """Written as files, read by zarr and xarray, byte by byte what zarr itself would write."""
+    import xarray
+    import zarr
+
+    sites = [Site(k, f"site {k}", "a.wea") for k in range(3)]
+    data = year(greensboro)
+    by_zarr = open_store(tmp_path / "zarr.zarr", sites, {})
+    open_store(tmp_path / "files.zarr", sites, {})
+    write_site(tmp_path / "files.zarr", 1, data, greensboro.middle)
+    for name in ("luminance", *FIELDS, "status"):
+        by_zarr[name][1] = data[name].values
+    by_zarr["time"][1], by_zarr["state"][1] = greensboro.middle.astype(np.int64), DONE
+    ours, theirs = (sorted((tmp_path / f"{name}.zarr").rglob("c.*")) for name in ("files", "zarr"))
+    assert [file.name for file in ours] == [file.name for file in theirs]
+    assert all(a.read_bytes() == b.read_bytes() for a, b in zip(ours, theirs, strict=True))
+    group = zarr.open_group(tmp_path / "files.zarr", mode="r")
+    assert group["state"][:].tolist() == [0, DONE, 0]
+    assert np.array_equal(group["luminance"][1], data.luminance.values)
+    assert not group["luminance"][2].any()
+    with xarray.open_zarr(tmp_path / "files.zarr", consolidated=False) as opened:
+        assert np.array_equal(opened.status[1], data.status)
+        assert opened.time.dims == ("site", "time")
 
 
 @pytest.mark.slow

@@ -11,7 +11,7 @@ import skydome as sd
 from skydome.year.plausibility import share_at_night, warn_of_wrong_place
 from skydome.year.series import year
 from skydome.year.status import BITS
-from skydome.year.sun_of_interval import lit_sun
+from skydome.year.sun_of_interval import SunTrack, crossing, lit_sun
 from skydome.year.tmy import from_frame
 from skydome.year.wea import read_wea, write_wea
 from skydome.year.weather import read_weather
@@ -207,6 +207,23 @@ def test_negative_light_counts_as_none(tmp_path):
     data = year(read_wea(tmp_path / "dim.wea"))
     assert data.direct_normal_illuminance.values.tolist() == [0, 50000]
     assert (data.status.values & BITS["negative"] > 0).tolist() == [True, False]
+
+
+@pytest.mark.parametrize("latitude", [0.0, 36.0, 66.0, 67.5, 75.0, -85.0])
+@pytest.mark.parametrize("step", [1800.0, 43200.0])
+def test_sunrise_is_found_within_half_a_second(latitude, step):
+    """Against halving to a millisecond, from half hours to half days, where the sun's course is far from straight."""
+    place, start = sd.Place(latitude, 15.0), np.datetime64("2023-01-01", "s")
+    track = SunTrack.over(start, start + np.timedelta64(365, "D"))
+    left = start.astype(float) + np.arange(0.0, 365 * 86400.0, 3600.0)
+    up = [track.directions(place, edge)[:, 2] > 0 for edge in (left, left + step)]
+    left, rising = left[up[0] != up[1]], up[1][up[0] != up[1]]
+    low, high = left.copy(), left + step
+    for _ in range(27):
+        middle = (low + high) / 2
+        before = (track.directions(place, middle)[:, 2] > 0) != rising
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    assert np.max(np.abs(crossing(track, place, left, left + step) - middle)) < 0.5
 
 
 def test_tapes_keep_what_they_are_given(tmp_path, greensboro):

@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from skydome.skies.perez_all_weather import SOLAR_CONSTANT, Compat, PerezAllWeather, distribution_letters
-from skydome.sun.position import earth_sun_distance
 from skydome.year.dome_means import PerezSkies
 from skydome.year.status import status_of
 from skydome.year.sun_of_interval import SunTrack, lit_sun
@@ -42,8 +41,7 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
     up = (sun.lit > 0) & (sun.directions[:, 2] > 0)
     lit = np.flatnonzero(up & ~weather.missing & (diffuse > 0))
     dew_point = np.where(np.isnan(weather.dew_point), DEW_POINT, weather.dew_point)
-    days, which = np.unique(sun.times.astype("datetime64[D]"), return_inverse=True)
-    orbit = (1 / earth_sun_distance(days.astype("datetime64[s]")) ** 2)[which]
+    orbit = 1 / sun.distances**2
     sky = PerezAllWeather(
         sun.directions[lit], direct[lit], diffuse[lit], SOLAR_CONSTANT * orbit[lit], dew_point[lit], compat=compat
     )

@@ -1,26 +1,18 @@
 """Many sites, one Zarr store: computed by Dask workers, each site written whole, resumed where it stopped."""
 
 import csv
-import json
 import warnings
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from skydome.dome.patches import patches as patches_named
+from skydome.year.site_store import DONE, FAILED, HOURS, mark, open_store, write_site
 from skydome.year.sun_of_interval import SunTrack
 from skydome.year.weather import Weather, read_weather
 
-HOURS = 8760
 SITES_A_TASK = 5
-DONE, FAILED = 1, 2
-"""What the store's `state` holds of each site; 0: not yet."""
-
-FIELDS = ("sun_azimuth", "sun_elevation", "direct_normal_illuminance", "diffuse_horizontal_illuminance")
 
 
 @dataclass(frozen=True)
@@ -62,48 +54,14 @@ def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = N
     return sites, bad
 
 
-def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str, Any]) -> Any:
-    """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others."""
-    import zarr
-
-    about = {"sites": [asdict(site) for site in sites], "choices": choices}
-    if Path(store).exists():
-        group = zarr.open_group(store, mode="r+")
-        if json.loads(group.attrs.get("skydome", "{}")) != about:
-            raise ValueError(f"{store} holds other sites or choices; give another name, or remove it")
-        return group
-    cut = patches_named(choices.get("patches", "tregenza"))
-    group = zarr.open_group(store, mode="w")
-    count = len(sites)
-
-    def array(name: str, shape: tuple[int, ...], chunks: tuple[int, ...], dims: list[str], dtype: str) -> None:
-        group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, dimension_names=dims, fill_value=0)
-
-    array("luminance", (count, HOURS, cut.count), (1, HOURS, cut.count), ["site", "time", "patch"], "float32")
-    for name in FIELDS:
-        array(name, (count, HOURS), (1, HOURS), ["site", "time"], "float32")
-    array("status", (count, HOURS), (1, HOURS), ["site", "time"], "uint16")
-    array("time", (count, HOURS), (1, HOURS), ["site", "time"], "int64")
-    group["time"].attrs["units"] = "seconds since 1970-01-01"
-    array("state", (count,), (1,), ["site"], "uint8")
-    for name, values in (("solid_angle", cut.solid_angles), ("horizontal_solid_angle", cut.horizontal_solid_angles)):
-        array(name, (cut.count,), (cut.count,), ["patch"], "float64")
-        group[name][:] = values
-    group.attrs["skydome"] = json.dumps(about)
-    return group
-
-
 def make_sites(store: str, work: list[tuple[int, Site]], choices: dict[str, Any]) -> list[Outcome]:
     """Compute and write some sites; one that fails is told and the others go on. Each is marked done last of all."""
-    import zarr
-
-    group = zarr.open_group(store, mode="r+")
     tracks: dict[Any, SunTrack] = {}  # sites of one time zone share the sun's
-    return [one_site(group, index, site, choices, tracks) for index, site in work]
+    return [one_site(store, index, site, choices, tracks) for index, site in work]
 
 
 def one_site(
-    group: Any, index: int, site: Site, choices: dict[str, Any], tracks: dict[Any, SunTrack] | None = None
+    store: str, index: int, site: Site, choices: dict[str, Any], tracks: dict[Any, SunTrack] | None = None
 ) -> Outcome:
     """Compute and write one site: its arrays whole, then its state."""
     from skydome.year.series import year
@@ -116,13 +74,9 @@ def one_site(
             warnings.simplefilter("always")
             data = year(weather, track=track_of(weather, tracks), **choices)
     except (ValueError, OSError) as error:
-        group["state"][index] = FAILED
+        mark(store, index, FAILED)
         return Outcome(index, f"line {site.row} ({site.name}): {error}")
-    group["luminance"][index] = data["luminance"].values
-    for name in (*FIELDS, "status"):
-        group[name][index] = data[name].values
-    group["time"][index] = weather.middle.astype(np.int64)
-    group["state"][index] = DONE
+    write_site(store, index, data, weather.middle)
     told = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
     return Outcome(index, f"line {site.row} ({site.name}): warning: {told}" if told else "")
 
