@@ -10,8 +10,11 @@ import numpy as np
 from gpu import EFFICACY, TURBIDITY, map_inputs, sky_letters, whole_map
 
 import skydome as sd
+from skydome.dome.network_rows import paint_network, rgb_network
 from skydome.dome.sky_rows import paint
 from skydome.skies import fast_light
+from skydome.skies.fast_network import compiled_kernel, light_by_kernel, light_by_numpy
+from skydome.skies.neural import NeuralSpectralSky
 
 SUN = sd.direction(np.pi, 40 * sd.deg)
 OFF_GRID = sd.direction(2.0, 40 * sd.deg)
@@ -44,11 +47,33 @@ def ours(width: int) -> dict[str, Run]:
     runs["skydome Hosek-Wilkie RGB, directions"] = lambda: sky.rgb(toward, out=flat)
     runs["skydome NumPy rows float64 (no Numba)"] = lambda: paint_in_blocks(sky, height, out)
     if width <= 4096:
-        double = toward.astype(np.float64)
+        double, preetham = toward.astype(np.float64), skies["Preetham, map"]
         runs["skydome formula float64, directions"] = lambda: sky.rgb(double)
+        runs["skydome Preetham float64, directions"] = lambda: preetham.rgb(double)
     runs["write limit, one thread"] = lambda: out.fill(1.0)
     runs["write limit, all threads"] = lambda: fast_light.shared(
         lambda first, last: flat[first:last].fill(1.0), len(flat), out.size
+    )
+    return runs
+
+
+def neural(width: int) -> dict[str, Run]:
+    """Networks of one sky, compiled: whole maps, and directions as floats."""
+    height, out = width // 2, np.empty((width // 4, width, 3), np.float32)
+    toward, runs = directions_of(width), {}
+    for name in ("preetham", "hosek-wilkie", "hosek-wilkie-compact", "hosek-wilkie-deep", "hosek-wilkie-spectral"):
+        kind = NeuralSpectralSky if name.endswith("spectral") else sd.NeuralSky
+        sky = kind.load(name, SUN, TURBIDITY)
+        light = rgb_network(sky, sd.SRGB)
+        kernel = compiled_kernel(light.network)
+        runs[f"neural {name}, map"] = lambda light=light, kernel=kernel: paint_network(
+            kernel, light, sd.Equirectangular(), height, range(height // 2), out
+        )
+        runs[f"neural {name}, directions"] = lambda light=light, kernel=kernel: light_by_kernel(
+            light.network, toward, kernel, light.matrix
+        )
+    runs["neural hosek-wilkie, NumPy float32, directions"] = lambda: light_by_numpy(
+        sd.NeuralSky.load("hosek-wilkie", SUN, TURBIDITY).folded(), toward
     )
     return runs
 

@@ -1,4 +1,4 @@
-"""Skies on a GPU: maps and batches in torch and JAX, after warm-up, as JSON.
+"""Skies and a neural sky on a GPU: maps and batches in torch and JAX, after warm-up, as JSON.
 
     PYTHONPATH=src python benchmarks/gpu.py            # a CUDA machine with torch and/or JAX, and NumPy
     PYTHONPATH=src python benchmarks/gpu.py --quick    # small sizes, to try it on any machine
@@ -58,6 +58,25 @@ def whole_map(xp: Any, letters: Any, rows: Any, columns: Any) -> Any:
     return xp.where(cosine > 0, shown, shown * 0)
 
 
+def network_map(xp: Any, first: Any, start: Any, last: Any, end: Any, rows: Any, columns: Any) -> Any:
+    """RGB (H, W, 3) of the published network's sky, black below the horizon: every neuron written out, to be fused.
+
+    `first` (12, 4) weighs east, north, up and the distance to the sun; `last` (3, 12) holds the square root of the
+    scale. `rows` (H, 1, 4): cos t, sin t, 1 - cos(t - ts), sin t sin ts; `columns` (W, 3): sine and cosine of the
+    azimuth, 1 - cos of the azimuth from the sun.
+    """
+    up, level, base, lever = (rows[..., k] for k in range(4))
+    east, north = level * columns[None, :, 0], level * columns[None, :, 1]
+    distance = xp.sqrt(2 * (base + lever * columns[None, :, 2]))
+    seen = xp.where(up > 0, up, up * 0)
+    neurons = []
+    for k in range(len(start)):
+        total = start[k] + first[k, 0] * east + first[k, 1] * north + first[k, 2] * seen + first[k, 3] * distance
+        neurons.append(1 / (1 + total * total))
+    sums = [end[c] + sum(last[c, k] * neuron for k, neuron in enumerate(neurons)) for c in range(3)]
+    return xp.stack([xp.where(up > 0, each * each, each * 0) for each in sums], -1)
+
+
 def batch(xp: Any, letters: Any, suns: Any, directions: Any) -> Any:
     """RGB (T, D, 3) of T skies toward D directions above the horizon: letters (T, 3, 10), suns (T, 3), (D, 3)."""
     x, y, z = (directions[None, :, None, k] for k in range(3))
@@ -76,6 +95,27 @@ def map_inputs(height: int) -> tuple[np.ndarray, ...]:
     rows.append(np.sin(zenith) * np.sin(sun_zenith))
     columns = [2 * np.sin(azimuth / 2) ** 2, 2 * np.cos(azimuth / 2) ** 2]
     return sky_letters(SUN), np.stack(rows, axis=-1)[:, None, :], np.stack(columns, axis=-1)
+
+
+def network_inputs(height: int) -> tuple[np.ndarray, ...]:
+    """Weights of the network of 492 bytes under one sky, rows and columns, float64."""
+    network = sd.NeuralSky.load("hosek-wilkie", SUN, TURBIDITY).folded()
+    (first, start), (last, end) = network.layers
+    order = [network.inputs.index(name) for name in ("east", "north", "view_z", "distance")]
+    root = np.sqrt(network.scale / 2)
+    zenith = np.pi * (np.arange(height) + 0.5) / height
+    azimuth = 2 * np.pi * (np.arange(2 * height) + 0.5) / (2 * height)
+    sun_zenith, sun_azimuth = np.arccos(SUN[2]), np.arctan2(SUN[0], SUN[1])
+    rows = [np.cos(zenith), np.sin(zenith), 2 * np.sin((zenith - sun_zenith) / 2) ** 2]
+    rows.append(np.sin(zenith) * np.sin(sun_zenith))
+    columns = [np.sin(azimuth), np.cos(azimuth), 2 * np.sin((azimuth - sun_azimuth) / 2) ** 2]
+    return first[:, order], start, root * last, root * end, np.stack(rows, -1)[:, None, :], np.stack(columns, -1)
+
+
+def network_truth(height: int, rows: slice) -> np.ndarray:
+    """The float64 network on some rows of the map."""
+    light = sd.NeuralSky.load("hosek-wilkie", SUN, TURBIDITY).rgb(sd.Equirectangular().directions(height, rows))
+    return np.asarray(light)
 
 
 def batch_inputs(skies: int, directions: int) -> tuple[np.ndarray, ...]:
@@ -198,6 +238,9 @@ def jobs(
             one = f"{form} map {2 * height}x{height}"
             results[one] = attempt(make(whole_map), inputs(map_inputs(height)), wait, repeats, rows,
                                    map_truth(height, rows))  # fmt: skip
+            two, numbers = f"{form} network {2 * height}x{height}", inputs(network_inputs(height))
+            truth = network_truth(height, rows)
+            results[two] = attempt(make(network_map), numbers, wait, repeats, rows, truth)
         arrays = batch_inputs(*shape)
         some = slice(0, 4)
         truth = batch_truth(arrays[0][some], arrays[1][some], arrays[2])

@@ -75,7 +75,9 @@ def split(runs: dict[str, Any]) -> tuple[dict[str, Callable[[], Any]], dict[str,
 
 def maps(width: int, count: int) -> tuple[dict[str, Times], dict[str, str]]:
     """Times for the sky half of a map `width` wide, ms."""
-    every = contenders.ours(width) | contenders.plain_numpy(width) | contenders.mitsuba(width)
+    every = (
+        contenders.ours(width) | contenders.neural(width) | contenders.plain_numpy(width) | contenders.mitsuba(width)
+    )
     runs, missing = split(every | contenders.torch_maps(width) | contenders.jax_maps(width))
     found = rounds(runs, count)
     for name in found:

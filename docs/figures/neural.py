@@ -14,9 +14,10 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import skydome as sd
-from skydome.skies import fast_network
+from skydome.skies import fast_light, fast_network
 from skydome.skies.network import PUBLISHED, RationalOutput
 from skydome.skies.network_files import shipped_network
+from skydome.skies.neural import NeuralSpectralSky
 from skydome.study.neural_data import TEACHERS, held_out
 from skydome.study.neural_recipes import RECIPES, Recipe
 from skydome.study.neural_training import train
@@ -88,25 +89,32 @@ def table_2():
     return table(head, rows)
 
 
+def one_thread(function, *given):
+    """Least processor milliseconds of a function, without sharing among threads."""
+    workers, fast_light.workers = fast_light.workers, lambda: 1
+    try:
+        return 1e3 * quickest(lambda: function(*given))
+    finally:
+        fast_light.workers = workers
+
+
 def sizes():
     """Bytes against error and time, with the stored tables as rival."""
-    views, rows = map_views(), []
-    single, sun = views.astype(np.float32), sd.direction(1.0, 0.5)
-    for name in RGB:
-        network, _, even, _ = errors_row(name)
-        folded = sd.NeuralSky(sun, network, 3.3).folded()
-        seconds = quickest(lambda folded=folded: fast_network.light_by_numpy(folded, single), 3)
+    single, sun, rows = map_views().astype(np.float32), sd.direction(1.0, 0.5), []
+    for name in (*RGB, "hosek-wilkie-spectral"):
+        network = shipped_network(name)[0]
+        kind = NeuralSpectralSky if network.bands else sd.NeuralSky
+        folded = kind(sun, network, 3.3).folded()
         kernel = fast_network.compiled_kernel(folded)
-        fast = ""
-        if kernel is not None:
-            fast = f"{1e3 * quickest(lambda k=kernel, f=folded: fast_network.light_by_kernel(f, single, k)):.1f}"
-        rows.append([name, network.bytes, f"{even.target:.4f}", f"{even.relative:.3f}", f"{even.irradiance:.1%}",
-                     f"{1e3 * seconds:.0f}", fast])  # fmt: skip
-    network, _ = shipped_network("hosek-wilkie-spectral")
-    error = relative_error(network, TEACHERS["hosek-wilkie-spectral"])
-    rows.append(
-        ["hosek-wilkie-spectral (any albedo, 11 bands)", network.bytes, "", f"rms relative {error:.4f}", "", "", ""]
-    )
+        times = [f"{one_thread(fast_network.light_by_numpy, folded, single):.0f}",
+                 f"{one_thread(fast_network.light_by_kernel, folded, single, kernel):.1f}"]  # fmt: skip
+        if network.bands:
+            error = relative_error(network, TEACHERS["hosek-wilkie-spectral"])
+            label, errors = f"{name} (any albedo, 11 bands)", ["", f"rms relative {error:.4f}", ""]
+        else:
+            even = errors_row(name)[2]
+            label, errors = name, [f"{even.target:.4f}", f"{even.relative:.3f}", f"{even.irradiance:.1%}"]
+        rows.append([label, network.bytes, *errors, *times])
     head = [
         "network",
         "bytes",
@@ -120,21 +128,31 @@ def sizes():
 
 
 def times():
-    """Processor time of 1024 x 512 views beside our own formulas, plain and compiled."""
-    views = map_views()
-    single, sun = views.astype(np.float32), sd.direction(1.0, 0.5)
-    folded = sd.NeuralSky.load("hosek-wilkie", sun, 3.3).folded()
+    """Processor time of 1024 x 512 views, and of a map of 1024 x 512, beside our own formulas, plain and compiled."""
+    views, sun = map_views(), sd.direction(1.0, 0.5)
+    single, sky = views.astype(np.float32), sd.NeuralSky.load("hosek-wilkie", sun, 3.3)
+    folded = sky.folded()
     kernel = fast_network.compiled_kernel(folded)
-    network = quickest(lambda: fast_network.light_by_numpy(folded, single), 3)
-    fast = quickest(lambda: fast_network.light_by_kernel(folded, single, kernel))
-    rows = [["network, NumPy float32", f"{1e3 * network:.1f}", "", ""],
-            ["network, compiled", f"{1e3 * fast:.1f}", "", ""]]  # fmt: skip
-    for sky in (sd.Preetham(sun, 3.3), sd.HosekWilkieRGB(sun, 3.3, 0.5)):
+    network = one_thread(fast_network.light_by_numpy, folded, single)
+    fast = one_thread(fast_network.light_by_kernel, folded, single, kernel)
+    rows = [
+        ["views", "network, NumPy float32", f"{network:.1f}", ""],
+        ["views", "network, compiled", f"{fast:.1f}", ""],
+    ]
+    skies = (sd.Preetham(sun, 3.3), sd.HosekWilkieRGB(sun, 3.3, 0.5))
+    for other in skies:
         for kind, data in (("NumPy", views), ("compiled", single)):
-            seconds = quickest(lambda sky=sky, data=data: sky.rgb(data), 3)
-            rows.append([f"{type(sky).__name__}, {kind}", f"{1e3 * seconds:.1f}", f"{seconds / network:.2f}",
-                         f"{seconds / fast:.2f}"])  # fmt: skip
-    return table(["what", "ms of one processor", "over network, NumPy", "over network, compiled"], rows)
+            spent = one_thread(other.rgb, data)
+            rows.append(["views", f"{type(other).__name__}, {kind}", f"{spent:.1f}", f"{spent / fast:.2f}"])
+    for height in (512, 1024):
+        size = f"map {2 * height} x {height}"
+        own = one_thread(lambda height=height: sd.render(sky, height))
+        rows.append([size, "network, `render`", f"{own:.1f}", ""])
+        for other in skies:
+            for kind, dtype in (("NumPy (float64)", np.float64), ("float32", np.float32)):
+                spent = one_thread(lambda o=other, d=dtype, h=height: sd.render(o, h, dtype=d))
+                rows.append([size, f"{type(other).__name__}, `render`, {kind}", f"{spent:.1f}", f"{spent / own:.2f}"])
+    return table(["what", "by", "ms of one processor", "over the network, compiled"], rows)
 
 
 def figure_5():
@@ -149,7 +167,7 @@ def figure_5():
         errors.append(np.mean([validated(network, teacher).target for network in networks]))
         folded = sd.NeuralSky(sun, networks[0], 3.3).folded()
         kernel = fast_network.compiled_kernel(folded)
-        seconds.append(quickest(lambda f=folded, k=kernel: fast_network.light_by_kernel(f, single, k)))
+        seconds.append(one_thread(fast_network.light_by_kernel, folded, single, kernel) / 1e3)
     sheet = Figure(figsize=(9, 3.4), layout="constrained")
     FigureCanvasAgg(sheet)
     left, right = sheet.subplots(1, 2)

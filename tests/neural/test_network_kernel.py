@@ -112,11 +112,16 @@ def test_projections_spaces_and_sums(name, projection, always):
     np.testing.assert_allclose(two, alone, rtol=0, atol=1e-5 * alone.max())
 
 
-@pytest.mark.parametrize("name", SHIPPED)
-def test_maps_without_numba(name, never):
-    sky = sky_of(name)
+@every_network
+@pytest.mark.parametrize("azimuth", [0.0, 137.0, 180.0 + 180 / 128], ids=["seam", "off", "edge"])
+def test_maps_without_numba(name, azimuth, never):
+    sky = sky_of(name, 45.0, azimuth)
     truth = sky.rgb(sd.Equirectangular().directions(HEIGHT)[: HEIGHT // 2])
-    assert error(sd.render(sky, HEIGHT).pixels[: HEIGHT // 2], truth) <= 3e-5
+    assert error(sd.render(sky, HEIGHT).pixels[: HEIGHT // 2], truth) <= 1e-5
+    lens = sd.Fisheye()
+    seen = lens.valid(HEIGHT) & (lens.directions(HEIGHT)[..., 2] >= 0)
+    truth = sky.rgb(lens.directions(HEIGHT)[seen])
+    assert error(sd.render(sky, HEIGHT, projection=lens).pixels[seen], truth) <= 2e-5
 
 
 def test_night_and_what_is_not_valid_take_the_slow_form(always):
@@ -126,15 +131,13 @@ def test_night_and_what_is_not_valid_take_the_slow_form(always):
     assert np.isnan(sd.render(unknown, 32, ground_albedo=0.0).pixels[:16]).all()
 
 
-def test_large_maps_take_the_kernel_by_themselves(monkeypatch):
+@pytest.mark.parametrize(("height", "takes"), [(512, False), (1024, True)])
+def test_large_maps_take_the_kernel_by_themselves(height, takes, monkeypatch):
     called = []
-    real = network_rows.paint_network
-    monkeypatch.setattr("skydome.dome.painting.paint_network", lambda *given: (called.append(1), real(*given)))
-    sky = sky_of("hosek-wilkie")
-    sd.render(sky, 64)
-    assert not called
-    sd.render(sky, 512)
-    assert called
+    real = network_rows.paint_by_kernel
+    monkeypatch.setattr(network_rows, "paint_by_kernel", lambda *given: (called.append(1), real(*given)))
+    sd.render(sky_of("hosek-wilkie"), height)
+    assert bool(called) is takes
 
 
 def test_every_input_is_known_to_the_fast_forms():

@@ -15,10 +15,20 @@ from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
 from skydome.skies.combination import Combination
 from skydome.skies.fast_light import shared
-from skydome.skies.fast_network import LEAST_DIRECTIONS, compiled_kernel, prepared, row_biases
-from skydome.skies.network_folding import Folded, steadied
+from skydome.skies.fast_network import (
+    LEAST_DIRECTIONS,
+    compiled_kernel,
+    prepared,
+    row_biases,
+    single,
+    through,
+)
+from skydome.skies.network_folding import INPUTS, Folded, steadied
 from skydome.skies.neural import NeuralForm
 from skydome.skies.sky import Sky
+
+TEXELS = 1 << 13
+"""Texels that NumPy takes at a time: what they need stays in the second-level cache."""
 
 
 class NetworkLight(NamedTuple):
@@ -66,15 +76,55 @@ def network_kernel(light: NetworkLight, texels: int) -> Any:
 def paint_network(
     kernel: Any, light: NetworkLight, projection: Equirectangular, height: int, rows: range, out: np.ndarray
 ) -> None:
-    """Write one neural sky's light into `out` (r, W, 3), contiguous float32: given rows, all above the horizon."""
+    """Write one neural sky's light into `out` (r, W, 3), contiguous float32: given rows, all above the horizon.
+
+    `kernel`: the compiled networks' module; None: NumPy in float32.
+    """
     cosine, numbers = row_numbers(light.network, height, rows)
     along, biases = row_biases(steadied(light.network), cosine)
-    ready = prepared(along, light.matrix)
     columns, segments = map_columns(light.network, projection, height)
+    numbers, biases, columns = (part.astype(np.float32) for part in (numbers, biases, columns))
+    if kernel is None:
+        paint_by_numpy(along, light.matrix, numbers, biases, columns, segments, out)
+    else:
+        paint_by_kernel(kernel, along, light.matrix, numbers, biases, columns, segments, out)
+
+
+def paint_by_numpy(
+    network: Folded, matrix: np.ndarray, numbers: np.ndarray, biases: np.ndarray, columns: np.ndarray,
+    segments: np.ndarray, out: np.ndarray,
+) -> None:  # fmt: skip
+    """A few rows at a time, which stay in the processor's cache."""
+    (weights, _), *rest = single(network)
+    gain, step = (matrix * network.scale).astype(np.float32), max(1, TEXELS // columns.shape[1])
+    for start in range(0, len(numbers), step):
+        block = slice(start, min(len(numbers), start + step))
+        base, lever, level = numbers[block].T[:, :, None]
+        place = {"x": level * columns[1], "y": level * columns[2], "distance": np.sqrt(2 * (base + lever * columns[0]))}
+        signal = np.stack([INPUTS[name](place) for name in network.inputs])
+        sums = (weights @ signal.reshape(len(signal), -1)).reshape(len(weights), len(base), -1)
+        sums += biases[block].T[:, :, None]
+        shown = gain @ network.output.light(through(rest, sums.reshape(len(weights), -1)))
+        mirrored(shown.reshape(3, len(base), -1).transpose(1, 2, 0), segments, out[block])
+
+
+def mirrored(shown: np.ndarray, segments: np.ndarray, out: np.ndarray) -> None:
+    """Write evaluated columns (r, n, 3) to their places and mirror images."""
+    for start, count, column, image in segments:
+        part = shown[:, start : start + count]
+        out[:, column : column + count] = part
+        if image >= 0:
+            out[:, image : image + count] = part[:, ::-1]
+
+
+def paint_by_kernel(
+    kernel: Any, network: Folded, matrix: np.ndarray, numbers: np.ndarray, biases: np.ndarray, columns: np.ndarray,
+    segments: np.ndarray, out: np.ndarray,
+) -> None:  # fmt: skip
+    """The same compiled, rows shared among threads."""
+    ready, flat, width = prepared(network, matrix), out.reshape(-1), out.shape[1]
     lifted = np.zeros((len(biases), int(ready.widths[1])), np.float32)
     lifted[:, : biases.shape[1]] = biases
-    numbers, columns = numbers.astype(np.float32), columns.astype(np.float32)
-    flat, width = out.reshape(-1), out.shape[1]
 
     def job(first: int, last: int) -> None:
         kernel.whole_map(first, last, numbers, lifted, columns, segments, ready, ready.scratch(kernel), width, flat)

@@ -57,7 +57,7 @@ def paint_rows(
     single = pixels.dtype == np.float32 and pixels.flags.c_contiguous
     texels = int(np.prod(projection.shape(height)))
     sources = [source_of(sky, space, texels if single else 0) for sky in skies]
-    if isinstance(projection, Equirectangular) and sources and all(has_rows(*source) for source in sources):
+    if isinstance(projection, Equirectangular) and sources and all(light is not None for _, light, _ in sources):
         paint_level_rows(pixels, sources, ground, projection, height, range(*rows.indices(height)))
         return
     step = max(1, CHUNK // pixels.shape[1])
@@ -75,11 +75,6 @@ def source_of(sky: Sky, space: RGBSpace, texels: int) -> Source:
         return sky, light, chosen(3 * texels // 2, light.coefficients) if texels else None
     network = rgb_network(sky, space) if texels else None
     return sky, network, None if network is None else network_kernel(network, texels // 2)
-
-
-def has_rows(sky: Sky, light: Light | NetworkLight | None, kernel: Any) -> bool:
-    """Whether a source can be painted by whole rows of an equirectangular map."""
-    return isinstance(light, Light) or (light is not None and kernel is not None)
 
 
 def paint_level_rows(

@@ -7,7 +7,7 @@ import numpy as np
 from skydome.skies.fast_light import shared
 from skydome.skies.network_folding import INPUTS, OF_THE_ROW, Folded, columns_of, steadied
 
-LEAST_DIRECTIONS = 1 << 17
+LEAST_DIRECTIONS = 1 << 19
 """Fewer directions than this take NumPy and do not wait for a compiler."""
 BLOCK = 2048
 KERNEL_INPUTS = (
@@ -132,17 +132,23 @@ def light_by_numpy(network: Folded, directions: np.ndarray) -> np.ndarray:
     for start in range(0, len(directions), BLOCK):
         part = directions[start : start + BLOCK]
         columns = columns_of(part, sun)
-        signal = np.stack([INPUTS[name](columns) for name in network.inputs])
-        for k, (weights, biases) in enumerate(layers):
-            signal = weights @ signal
-            signal += biases[:, None]
-            if k + 1 < len(layers):
-                np.multiply(signal, signal, out=signal)
-                signal += np.float32(1)
-                np.reciprocal(signal, out=signal)
-        shown = network.output.light(signal) * np.float32(network.scale)
+        (weights, biases), rest = layers[0], layers[1:]
+        signal = weights @ np.stack([INPUTS[name](columns) for name in network.inputs])
+        signal += biases[:, None]
+        shown = network.output.light(through(rest, signal)) * np.float32(network.scale)
         light[start : start + BLOCK] = np.where(part[:, 2] >= 0, shown, np.float32(0)).T
     return light
+
+
+def through(layers: list[tuple[np.ndarray, np.ndarray]], sums: np.ndarray) -> np.ndarray:
+    """The last layer's sums from the first layer's (neurons, n), which are overwritten."""
+    for weights, biases in layers:
+        np.multiply(sums, sums, out=sums)
+        sums += np.float32(1)
+        np.reciprocal(sums, out=sums)
+        sums = weights @ sums
+        sums += biases[:, None]
+    return sums
 
 
 def light_by_kernel(
