@@ -53,6 +53,23 @@ def test_a_level_plane_in_the_open_is_global_illuminance():
     assert facts["horizon"] is None
 
 
+def test_light_in_colour_is_the_librarys(profile):
+    plain = ("--plane", "30,180", "--horizon", profile, *WHEN)
+    xyz, rgb, waves = (told(*plain, "--light", kind) for kind in ("xyz", "rgb", "450,550"))
+    assert xyz["xyz_lx"]["total"][1] == pytest.approx(
+        xyz["illuminance_lx"]["total"], rel=0.35
+    )  # Hosek-Wilkie's own fit
+    red, blue = (rgb["rgb_lx"][part][2] / rgb["rgb_lx"][part][0] for part in ("sun", "sky"))
+    assert blue > red
+    assert waves["irradiance_w_m2_nm"]["channels"] == ["450 nm", "550 nm"]
+    parts = waves["irradiance_w_m2_nm"]
+    assert np.allclose(parts["total"], np.sum([parts[name] for name in ("sky", "sun", "reflected")], axis=0))
+    assert "550 nm 1." in call(*plain, "--light", "450,550").stdout
+    bad = call(*plain, "--light", "blue")
+    assert bad.exit_code == 2
+    assert "--light must be xyz, rgb or wavelengths" in bad.stderr
+
+
 def test_people_read_a_table(profile):
     text = call("--plane", "90,200", "--model", "uniform", "--zenith-luminance", 1000, "--ground", 0.5).stdout
     assert "1,571 lx" in text

@@ -19,6 +19,10 @@ Profile = Annotated[
     Path | None, Option(metavar="FILE.csv", help="The horizon: rows of azimuth,elevation in degrees, north 0, east 90.")
 ]
 Ground = Annotated[float | None, Option(help="Reflectance of ground and hills, 0-1. [default: --albedo, or 0.2]")]
+InColour = Annotated[
+    str | None,
+    Option("--light", metavar="xyz|rgb|NM,NM", help="Tell the light in colour too, or at these wavelengths, nm."),
+]
 Bands = Annotated[int, Option(help="Bands to cut the sky into, at least; more are laid where the horizon asks.")]
 
 
@@ -29,10 +33,11 @@ def illuminance(
     horizon: Profile = None,
     ground: Ground = None,
     bands: Bands = 64,
+    light: InColour = None,
     as_json: AsJson = False,
 ) -> None:
     """Print the illuminance on a plane: from sky, sun and ground, and what a horizon takes away."""
-    asked = Asked.of(plane, horizon, ground, bands, options)
+    asked = Asked.of(plane, horizon, ground, bands, light, options)
     scene = scene_of(options)
     facts = plane_facts(scene, asked)
     show(facts, plane_rows(facts), as_json)
@@ -48,9 +53,12 @@ class Asked:
     profile: str | None
     albedo: float
     bands: int
+    light: "InKind | None"
 
     @classmethod
-    def of(cls, plane: str, profile: Path | None, ground: float | None, bands: int, options: SkyOptions) -> "Asked":
+    def of(
+        cls, plane: str, profile: Path | None, ground: float | None, bands: int, light: str | None, options: SkyOptions
+    ) -> "Asked":
         """The options read; ValueError or OSError, before any work, for what cannot be."""
         from skydome.scene.horizon import Horizon
         from skydome.scene.obstruction_intervals import Open
@@ -66,7 +74,9 @@ class Asked:
         if profile is not None and not profile.is_file():
             raise FileNotFoundError(f"the horizon's file must exist, got {profile}")
         around = Open() if profile is None else Horizon.read(profile)
-        return cls(tilt, azimuth % 360, around, None if profile is None else str(profile), albedo, bands)
+        name = None if profile is None else str(profile)
+        kind = None if light is None else InKind.of(light)
+        return cls(tilt, azimuth % 360, around, name, albedo, bands, kind)
 
     @property
     def normal(self) -> Any:
@@ -76,6 +86,37 @@ class Asked:
         return sd.direction(azimuth=self.azimuth * sd.deg, elevation=(90 - self.tilt) * sd.deg)
 
 
+@dataclass(frozen=True)
+class InKind:
+    """What --light asks for: the kind of light, its fact's name with the unit, and its channels' names."""
+
+    kind: Any
+    fact: str
+    channels: list[str]
+
+    @classmethod
+    def of(cls, text: str) -> "InKind":
+        """The words xyz or rgb, or wavelengths; ValueError for anything else."""
+        import skydome as sd
+
+        if text in ("xyz", "rgb"):
+            kind = sd.LightInXYZ() if text == "xyz" else sd.LightInRGB()
+            return cls(kind, f"{text}_lx", list(text))
+        try:
+            waves = [float(word) for word in text.split(",")]
+        except ValueError:
+            raise ValueError(f"--light must be xyz, rgb or wavelengths such as 450,550,650, got {text!r}") from None
+        return cls(sd.LightInWavelengths(waves), "irradiance_w_m2_nm", [f"{wave:g} nm" for wave in waves])
+
+    def facts(self, received: Any) -> dict[str, Any]:
+        """The parts of the light by channel."""
+        import numpy as np
+
+        parts = {name: getattr(received, name) for name in ("sky", "sun", "reflected", "total")}
+        lists = {name: [float(value) for value in np.asarray(part)] for name, part in parts.items()}
+        return {self.fact: lists | {"channels": self.channels}}
+
+
 def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
     """The light on the plane with its unit in the name; numbers, lists and strings only."""
     import skydome as sd
@@ -83,6 +124,9 @@ def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
     view = sd.PlaneView.of(asked.surroundings, asked.normal, asked.bands)
     light = view.receive(scene.whole, albedo=asked.albedo)
     parts = {"sky": light.sky, "sun": light.sun, "reflected": light.reflected, "total": light.total}
+    coloured = {}
+    if asked.light is not None:
+        coloured = asked.light.facts(view.receive(scene.whole, albedo=asked.albedo, light=asked.light.kind))
     return {
         **moment_facts(scene),
         "model": scene.name,
@@ -93,6 +137,7 @@ def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
         "ground_albedo": asked.albedo,
         "sky_view_factor": view.sky_view_factor,
         "illuminance_lx": {name: float(value) for name, value in parts.items()},
+        **coloured,
         "unobstructed_lx": float(sd.illuminance(scene.whole, asked.normal, ground_albedo=asked.albedo)),
         "notes": list(scene.notes),
     }
@@ -114,6 +159,10 @@ def plane_rows(facts: dict[str, Any]) -> dict[str, str]:
         "reflected": f"{light['reflected']:,.0f} lx (albedo {facts['ground_albedo']:g})",
         "total": f"{light['total']:,.0f} lx",
     }
+    for name in ("xyz_lx", "rgb_lx", "irradiance_w_m2_nm"):
+        if name in facts:
+            pairs = zip(facts[name]["channels"], facts[name]["total"], strict=True)
+            rows["total by channel"] = ", ".join(f"{channel} {value:.5g}" for channel, value in pairs)
     if facts["horizon"] is not None:
         rows["without the horizon"] = f"{facts['unobstructed_lx']:,.0f} lx"
     return rows | notes_row(facts["notes"])
