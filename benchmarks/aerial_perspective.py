@@ -58,7 +58,7 @@ def image():
     print(f"load {os.getloadavg()[0]:.1f}, {numba.get_num_threads()} threads; 1000 x 750 RGB, wall {best(whole):.3f}")
     own, old, usual = processor(whole), processor(old_form), np.median(gap)
     print(
-        f"compiled, processor: {own:.3f}, published {old:.3f}, ratio {own / old:.2f}; median difference {usual:.0e} to 1 km"
+        f"compiled, processor: {own:.3f}, published {old:.3f}, ratio {own / old:.2f}; median gap {usual:.0e} to 1 km"
     )
     for kind in ("f4", "f8"):
         ray = Ray.at(distance.astype(kind), views[..., 2].astype(kind), np.asarray(2000.0, kind))

@@ -259,10 +259,10 @@ def test_gradient_of_turbidity_and_jax():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"distance": -1.0}, "distance must be finite and at least 0"),
-        ({"distance": np.inf}, "distance must be finite"),
-        ({"distance": np.nan}, "distance must be finite"),
-        ({"height": np.inf}, "height must be finite"),
+        ({"distance": -1.0}, r"distance must lie in \[0, 1e\+09\] m, got -1"),
+        ({"distance": np.inf}, "distance must lie in"),
+        ({"distance": np.nan}, "distance must lie in"),
+        ({"height": np.inf}, r"height must lie in \[-5000, 1e\+09\] m"),
         ({"direction": [0.0, 0.0, 2.0]}, "direction must be finite unit vectors"),
         ({"wavelengths": [300.0, 500.0]}, r"wavelengths must lie in \[380, 780\] nm"),
         ({"turbidity": 0.5}, r"turbidity must be one number in \[1, 64\]"),
@@ -273,6 +273,26 @@ def test_bad_input(arguments, message):
     usual = {"distance": 1000.0, "direction": sd.EAST}
     with pytest.raises(ValueError, match=message):
         aerial_perspective(sunny(), **(usual | arguments))
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("height", [-5000.0, 0.0, 1e5, 1e9])
+def test_extremes_give_no_nan(dtype, height):
+    """The farthest rays from the lowest and highest viewers, up, level and down, by the formula and by the kernel."""
+    views = sd.direction(np.linspace(0, 6, 9), np.array([-90, -60, -10, -1e-5, 0, 1e-5, 10, 60, 90]) * deg).astype(
+        dtype
+    )
+    many = np.tile(views, (1200, 1))
+    for turbidity in (1.0, 64.0):
+        light = AirLight(sunny(), turbidity=turbidity)
+        for distance in (0.0, 1e-30, 1e5, 1e9):
+            found = [light.at(dtype(distance), views, dtype(height))]
+            if pytest.importorskip("numba"):
+                found.append(light.at(np.full(len(many), distance, dtype), many, height))
+            for air in found:
+                assert np.isfinite(air.inscattered).all()
+                assert (air.inscattered >= 0).all()
+                assert ((air.transmittance >= 0) & (air.transmittance <= 1.000001)).all()
 
 
 def test_skies_that_know_too_little():

@@ -245,6 +245,35 @@ def test_hgt_and_npz(tmp_path):
         read_elevation(__file__)
 
 
+def test_heights_that_cannot_be(tmp_path):
+    """Voids that the file does not declare count as holes; files that hold none are refused in one line."""
+    heights = hills(size=50).astype(np.float32)
+    spoilt = heights.copy()
+    spoilt[3, 3:6], spoilt[20, 20] = (-32768, -9999, 40000), -32767
+    geotiff(tmp_path / "voids.tif", spoilt)
+    land = read_elevation(tmp_path / "voids.tif")
+    assert heights.min() <= land.heights.min()
+    assert land.heights.max() <= heights.max()
+    assert "4 missing heights filled" in land.notes[0]
+    geotiff(tmp_path / "feet.tif", np.full((9, 9), 29000, np.float32), units="ft")  # Everest is no void
+    assert read_elevation(tmp_path / "feet.tif").heights == pytest.approx(29000 * 0.3048)
+    geotiff(tmp_path / "dot.tif", heights[:1, :1])
+    (tmp_path / "empty.npz").write_bytes(b"")
+    (tmp_path / "text.npz").write_text("no archive")
+    np.save(tmp_path / "single.npy", heights)
+    (tmp_path / "single.npy").rename(tmp_path / "single.npz")
+    np.savez(tmp_path / "words.npz", elevation=np.full((3, 3), "high"), dx=1.0, dy=1.0)
+    for name, message in (
+        ("dot.tif", "must hold 2 x 2 heights or more, got 1 x 1"),
+        ("empty.npz", r"damaged or no \.npz"),
+        ("text.npz", r"damaged or no \.npz"),
+        ("single.npz", "got a single array"),
+        ("words.npz", "must be numbers"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            read_elevation(tmp_path / name)
+
+
 def test_holes_filled_smoothly():
     slope = np.add.outer(np.arange(64.0), np.arange(64.0))
     hole = np.zeros((64, 64), bool)
@@ -287,7 +316,9 @@ def test_command(tmp_path):
     for wrong, message in (
         (["-o", str(tmp_path / "p.jpg")], "must end in .png or .exr"),
         (["-o", str(tmp_path / "q.png"), "--camera", "0,0,-3"], "above the ground"),
+        (["-o", str(tmp_path / "q.png"), "--exposure", "0"], "--exposure must be finite and more than 0"),
+        (["-o", str(tmp_path / "q.png"), "--size", "40.5,30"], "--size must be two whole numbers"),
     ):
-        failed = CliRunner().invoke(app, [*usual, *wrong, *small])
+        failed = CliRunner().invoke(app, [*usual, *small, *wrong])
         assert failed.exit_code == 2
         assert message in failed.output

@@ -43,7 +43,7 @@ def terrain(
     from skydome.scene.terrain_elevation import read_elevation
     from skydome.scene.terrain_texture import read_texture
 
-    refuse_picture(output)
+    refuse_picture(output, exposure)
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)
     land, scene = read_elevation(land_file, vertical_unit), scene_of(options)
@@ -59,8 +59,10 @@ def terrain(
     show(facts, {name: text_of(value) for name, value in facts.items()}, as_json)
 
 
-def refuse_picture(path: Path) -> None:
+def refuse_picture(path: Path, exposure: float | None) -> None:
     """ValueError or OSError, before the work, for a picture that could not be written in the end."""
+    if exposure is not None and not 0 < exposure < float("inf"):
+        raise ValueError(f"--exposure must be finite and more than 0, got {exposure:g}")
     if path.suffix.lower() not in (".png", ".exr"):
         raise ValueError(f"a terrain picture must end in .png or .exr, got {path.name!r}")
     if not path.absolute().parent.is_dir():
@@ -74,7 +76,10 @@ def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
 
     east, north, above = numbers(camera, 3, "--camera", "1200,-300,50")
     azimuth, elevation = numbers(look, 2, "--look", "270,-2")
-    width, height = (int(value) for value in numbers(size, 2, "--size", "1000,750"))
+    wide, high = numbers(size, 2, "--size", "1000,750")
+    width, height = int(wide), int(high)
+    if (width, height) != (wide, high):
+        raise ValueError(f"--size must be two whole numbers such as 1000,750, got {size!r}")
     return Camera(east, north, above, azimuth * deg, elevation * deg, fov * deg, width, height)
 
 

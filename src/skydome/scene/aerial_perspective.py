@@ -23,6 +23,9 @@ MANY = 500
 MANY_PIXELS = 10_000
 """From so many rays on, RGB in NumPy is computed by the Numba kernel, if Numba is installed (float32, error .2 %)."""
 
+LOWEST, FARTHEST = -5000.0, 1e9
+"""Least height of a viewer above the ground to which the turbidity belongs, m, and largest height and distance."""
+
 
 class AerialPerspective(NamedTuple):
     """What air does to the light of an object: seen = object x `transmittance` + `inscattered`; each (..., C)."""
@@ -54,6 +57,8 @@ class AirLight:
             raise ValueError("aerial perspective needs a sky with one sun, of shape (3,); loop over the others")
         if not 0 <= self.ground_albedo <= 1:
             raise ValueError(f"ground_albedo must lie in [0, 1], got {self.ground_albedo}")
+        if not isinstance(self.method, Integration):
+            raise TypeError(f"method must be an Integration such as FewNodes(), got {type(self.method).__name__}")
         if self.wavelengths is not None:
             Wavelengths(checked_wavelengths(self.wavelengths))
         _ = self.haze_turbidity
@@ -165,14 +170,14 @@ class AirLight:
         return AerialPerspective(tau, light)
 
 
-def checked(value: Any, like: Array, name: str, low: float = -1e5) -> Array:
-    """`value`, m, as an array; ValueError where it is below `low`, infinite or no number."""
+def checked(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:
+    """`value`, m, as an array; ValueError where it is below `low`, above FARTHEST or no number."""
     value = floating(value, like=like)
     if is_concrete(value):
         xp = namespace(value)
-        if not bool(xp.all((value >= low) & (value < float("inf")))):
+        if not bool(xp.all((value >= low) & (value <= FARTHEST))):
             ends = f"{float(xp.min(value)):g} to {float(xp.max(value)):g}"
-            raise ValueError(f"{name} must be finite and at least {low:g} m, got {ends}")
+            raise ValueError(f"{name} must lie in [{low:g}, {FARTHEST:g}] m, got {ends}")
     return value
 
 
@@ -195,7 +200,7 @@ def aerial_perspective(
 
     Flat ground, gas and haze that thin out exponentially, light that does not change with height, each photon
     scattered once along the ray (Preetham 1999, section 4). NumPy, torch and JAX, with gradients. ValueError for a
-    distance that is negative or infinite.
+    distance that is negative or infinite, or beyond 1e9 m.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=250 * sd.deg, elevation=20 * sd.deg)

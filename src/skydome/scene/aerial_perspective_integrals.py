@@ -20,8 +20,8 @@ from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import Array, at_least, constant, namespace, safe_divide
 from skydome.ground.quadrature import gauss_legendre
 
-DEEPEST = -80.0
-"""Scale heights below the viewer at which density stops growing: e^80 overflows nothing, and nothing is seen there."""
+DEEPEST, DEEPEST_SINGLE = -80.0, -55.0
+"""Scale heights below the viewer at which density stops growing, in float64 and float32: so that nothing overflows."""
 
 
 class Coefficients(NamedTuple):
@@ -67,7 +67,8 @@ def columns_of_air(ray: Ray, distance: Array) -> tuple[Array, Array, Array, Arra
     xp = namespace(distance, ray.cosine)
     found = []
     for density, decay in ((ray.haze_density, HAZE_DECAY), (ray.gas_density, GAS_DECAY)):
-        z = at_least(decay * distance * ray.cosine, DEEPEST)
+        z = decay * distance * ray.cosine
+        z = at_least(z, DEEPEST if xp.finfo(z.dtype).bits > 32 else DEEPEST_SINGLE)
         found += [density * xp.exp(-z), density * distance * mean_fall(z)]
     return found[0], found[2], found[1], found[3]
 
@@ -112,7 +113,7 @@ class Stretch(NamedTuple):
         far = z > 1e-4
         divisor = xp.where(far, z, xp.ones_like(z))
         straightened = xp.where(far, xp.log1p(divisor) / divisor, 1 - z / 2)
-        return y * straightened, self.reach * (1 + self.bend) / (shrink * shrink * (1 + z))
+        return y * straightened, self.reach / shrink * ((1 + self.bend) / shrink) / (1 + z)
 
 
 @dataclass(frozen=True)

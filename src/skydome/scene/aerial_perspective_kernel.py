@@ -11,7 +11,7 @@ import numpy as np
 
 F = np.float32
 HAZE_DECAY, GAS_DECAY = F(0.8333e-3), F(0.1136e-3)
-OPAQUE, HIGHEST_GROWTH, DEEPEST = F(11.0), F(40.0), F(-80.0)
+OPAQUE, HIGHEST_GROWTH, DEEPEST, LARGEST = F(11.0), F(40.0), F(-80.0), F(3e38)
 SHARE_DECAY, STRENGTH = F(0.8333e-3), F(0.08)
 ZERO, ONE, HALF = F(0.0), F(1.0), F(0.5)
 LANES = 64
@@ -58,7 +58,7 @@ def density_and_column(z, distance):
     small = abs(z) < F(0.05)
     series = ONE - z * (HALF - z * (F(1 / 6) - z * (F(1 / 24) - z * F(1 / 120))))
     mean = series if small else (ONE - fall) / (ONE if small else z)
-    return fall, distance * mean
+    return fall, min(distance * mean, LARGEST)
 
 
 @inlined
@@ -69,7 +69,7 @@ def stretch(distance, cosine, haze_density, gas_density, air):
     z = min(growth * distance, HIGHEST_GROWTH)
     longer = (exponential(z) - ONE) / max(z, F(1e-6))
     series = ONE + z * (HALF + z * (F(1 / 6) + z * F(1 / 24)))
-    grown = min(distance * (longer if z > F(0.05) else series), OPAQUE / haze_550)
+    grown = min(distance * (longer if z > F(0.05) else series), OPAQUE / max(haze_550, F(1e-30)))
     reach = grown if growth > ZERO else distance
     turns = growth * reach
     bend = STRENGTH * reach * (SHARE_DECAY * max(cosine, ZERO) + haze_550 + gas_550)
@@ -107,7 +107,7 @@ def columns(distance, cosine, haze_density, gas_density):
 @inlined
 def scaling(haze_air, gas_air, haze_column, gas_column, haze, gas):
     """Transmittance of a channel, and the factor that brings I1 and I2 to 1 - transmittance."""
-    depth = haze_air * haze_column + gas_air * gas_column
+    depth = min(haze_air * haze_column + gas_air * gas_column, F(1e30))
     seen, absorbed = density_and_column(depth, depth)
     return seen, absorbed / max(haze_air * haze + gas_air * gas, F(1e-30))
 

@@ -111,9 +111,18 @@ def read_elevation(path: str | PathLike[str], vertical_unit: str | None = None, 
     return kinds[path.suffix.lower()](path, vertical_unit, cells)
 
 
+VOIDS = (-32768.0, -32767.0, -9999.0)
+"""Values that usually stand for a missing height, even where the file does not say so."""
+
+HIGHEST = 12_000.0
+"""No land or sea floor lies further from sea level, m: such heights are taken as missing."""
+
+
 def finished(raw: np.ndarray, hole: np.ndarray, unit: str | None, step: int, known: dict[str, Any]) -> Elevation:
     """The model of raw heights: coarsened by `step`, holes filled, in metres."""
     notes: tuple[str, ...] = ()
+    scale = FEET.get((unit or "m").strip().lower(), 1.0)
+    hole = hole | np.isin(raw, VOIDS) | (abs(raw * scale) > HIGHEST)
     if step > 1:
         rows, columns = (size // step * step for size in raw.shape)
         blocks = (rows // step, step, columns // step, step)
@@ -122,7 +131,6 @@ def finished(raw: np.ndarray, hole: np.ndarray, unit: str | None, step: int, kno
         raw, hole = np.where(weight > 0, total / np.maximum(weight, 1), 0.0), weight == 0
         notes = (f"coarsened {step} times, to {raw.shape[0]} x {raw.shape[1]} cells",)
     heights, filled = without_holes(raw.astype(np.float64), hole)
-    scale = FEET.get((unit or "m").strip().lower(), 1.0)
     notes += filled + (("heights in feet turned into metres",) if scale != 1 else ())
     known = known | {"dx": known["dx"] * step, "dy": known["dy"] * step}
     return Elevation(heights * scale, notes=(*known.pop("notes", ()), *notes), **known)
@@ -158,6 +166,8 @@ def read_geotiff(path: Path, unit: str | None, cells: int) -> Elevation:
                 raise ValueError(f"{path.name} has no georeference; give it one (gdal_edit.py -a_srs ... -a_ullr ...)")
             if source.transform.b or source.transform.d or source.transform.e > 0:
                 raise ValueError(f"{path.name} must have north at the top; turn it first (gdalwarp in.tif out.tif)")
+            if min(source.shape) < 2:
+                raise ValueError(f"{path.name} must hold 2 x 2 heights or more, got {source.height} x {source.width}")
             step = step_for(source.height, source.width, cells)
             shape = (max(2, source.height // step), max(2, source.width // step))
             band = source.read(1, out_shape=shape, masked=True, resampling=rasterio.enums.Resampling.average)
@@ -188,13 +198,29 @@ def georeference(source: Any, middle: tuple[float, float], stretch: tuple[float,
     return {"dx": dx, "dy": dy, "extent": extent} | place
 
 
+def npz(path: Path) -> Any:
+    """An open .npz file; ValueError for one that is none."""
+    from zipfile import BadZipFile
+
+    try:
+        stored = np.load(path, allow_pickle=False)
+    except (ValueError, EOFError, BadZipFile) as error:
+        raise ValueError(f"cannot read {path.name}, which is damaged or no .npz") from error
+    if not hasattr(stored, "files"):
+        raise ValueError(f"{path.name} must be an .npz of named arrays, got a single array")
+    return stored
+
+
 def read_npz(path: Path, unit: str | None, cells: int) -> Elevation:
     """Arrays `elevation`, `dx`, `dy` (m, or degrees if `xmin`, `xmax`, `ymin`, `ymax` are there); NaN is a hole."""
-    with np.load(path, allow_pickle=False) as stored:
+    with npz(path) as stored:
         missing = [name for name in ("elevation", "dx", "dy") if name not in stored.files]
         if missing:
             raise ValueError(f"{path.name} must hold elevation, dx and dy; missing: {', '.join(missing)}")
-        raw = np.asarray(stored["elevation"], dtype=np.float64)
+        try:
+            raw = np.asarray(stored["elevation"], dtype=np.float64)
+        except ValueError as error:
+            raise ValueError(f"elevation in {path.name} must be numbers") from error
         dx, dy = abs(float(stored["dx"])), abs(float(stored["dy"]))
         known: dict[str, Any] = {"dx": dx, "dy": dy}
         if {"xmin", "xmax", "ymin", "ymax"} <= set(stored.files):

@@ -9,6 +9,8 @@ import numpy as np
 from skydome.scene.aerial_perspective_kernel import along, read_light
 from skydome.scene.terrain_kernel import lerp3, march, noise, normal_at
 
+FARTHEST = 1e9
+"""How far flat ground beyond the map is followed, m."""
 NOTHING, CLEAR, FOG = 0, 1, 2
 """What the air does: nothing, aerial perspective, or a fog that looks the same from everywhere."""
 
@@ -49,7 +51,7 @@ def picture_rows(
                 t = march(heights, pyramid, levels, u0, v0, z0, x / dx, -y / dy, z, 1e9)
                 on_map = t >= 0.0
                 if not on_map and z < -1e-9:
-                    t = (z0 - base) / -z
+                    t = min((z0 - base) / -z, FARTHEST)
                 if t < 0.0:
                     for c in range(3):
                         total[c] += sky[row, column, c]
