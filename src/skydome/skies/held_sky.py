@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, direction
@@ -19,6 +20,8 @@ from skydome.skies.sky import ColourSky, SpectralSky
 
 TERMS = 24
 CHUNK = 8192
+PIVOTS = np.arange(360.0, 841.0, 60.0)
+"""Wavelengths whose phase functions make up those of all others, where they change with wavelength, nm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +35,10 @@ class HeldSky(ColourSky):
     sun: Array
     sky: SpectralSky
     series: np.ndarray
-    """Coefficients of cos(m x relative azimuth): (nodes, terms, constituents + 1, 3), the last of higher orders."""
+    """Coefficients of cos(m x relative azimuth): (nodes, terms, shapes + 1, 3), the last of higher orders.
+
+    A shape is a phase function: one for each constituent, or `PIVOTS` for one whose changes with wavelength.
+    """
     source: ClassVar[str] = "Nakajima and Tanaka 1988: single scattering apart"
 
     @property
@@ -84,7 +90,7 @@ class HeldSky(ColourSky):
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
         cosine, relative, angle = geometry(views, np.asarray(self.sun))
         fields = interpolated(self.series, cosine, relative)
-        phases = phases_of(self.atmosphere, angle)
+        phases = shapes_of(self.atmosphere, angle)
         light: np.ndarray = fields[:, -1] + np.einsum("kd,dkc->dc", phases, fields[:, :-1])
         return np.maximum(light, 0.0)
 
@@ -110,7 +116,7 @@ def held(sky: Any, bands: np.ndarray | None = None, light: np.ndarray | None = N
     """The colours of a physical `sky` (one sun, any class with an `atmosphere`) held in a table.
 
     `light` (nodes, W) may give the radiance at `node_directions` and `bands` (W,) where it is known already, as from
-    a tracing. ValueError for air whose phase functions change with wavelength, and for many suns.
+    a tracing. ValueError for many suns.
 
     >>> import skydome as sd
     >>> sky = sd.Nishita93(sd.direction(azimuth=0.0, elevation=0.8))
@@ -120,13 +126,11 @@ def held(sky: Any, bands: np.ndarray | None = None, light: np.ndarray | None = N
     air, sun = sky.atmosphere, np.asarray(sky.sun, dtype=np.float64)
     if sun.shape != (3,):
         raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
-    if not air.wavelengths_alike:
-        raise ValueError("a held sky needs phase functions that are the same at all wavelengths, got Haze")
     w, views = SpectralSky.bands if bands is None else bands, node_directions(sun)
     whole = (sky.radiance(views, w) if light is None else light) / air.sun_at(w)
     once = strengths(air, views, sun, w)
-    rest = whole - np.einsum("kd,kdw->dw", phases_of(air, views @ sun), once)
-    fields = np.moveaxis(np.concatenate([once, rest[None]]), 0, 1) @ colours_of(air, w)  # (D, K + 1, 3)
+    rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
+    fields = np.moveaxis(np.concatenate([once, rest[None]]), 0, 1) @ colours_of(air, w)  # (D, shapes + 1, 3)
     grid = fields.reshape(-1, TERMS + 1, *fields.shape[1:])
     grid[-1] = grid[-1].mean(axis=0)  # at the zenith all azimuths are one
     return HeldSky(sun, sky, np.asarray(np.einsum("mp,np...->nm...", cosine_transform(TERMS), grid)))
@@ -140,13 +144,28 @@ def colours_of(air: Atmosphere, wavelengths: np.ndarray) -> np.ndarray:
     return result
 
 
-def phases_of(air: Atmosphere, cosine: np.ndarray) -> np.ndarray:
-    """Phase functions of the constituents at cosines (D,), sr-1, (K, D)."""
-    return np.stack([part.phase_law.value(np.clip(cosine, -1.0, 1.0), [550.0])[:, 0] for part in air.constituents])
+def shapes_of(air: Atmosphere, cosine: np.ndarray) -> np.ndarray:
+    """Phase functions of the constituents, at `PIVOTS` where they change, at cosines (D,), sr-1, (shapes, D)."""
+    c = np.clip(cosine, -1.0, 1.0)
+    return np.concatenate([law.value(c, pivots(law)).T for law in (part.phase_law for part in air.constituents)])
+
+
+def pivots(law: PhaseLaw) -> np.ndarray:
+    """Wavelengths at which a phase law is kept."""
+    return PIVOTS[:1] if law.wavelengths_alike else PIVOTS
+
+
+def mixture(law: PhaseLaw, wavelengths: np.ndarray) -> np.ndarray:
+    """How much of each kept phase function makes up that of wavelengths (W,), (shapes, W): least squares, relative."""
+    c = np.cos(np.linspace(0, np.pi, 721))
+    wanted, kept = law.value(c, wavelengths), law.value(c, pivots(law))
+    scale = 1 / kept.mean(axis=1, keepdims=True)
+    mixed: np.ndarray = np.linalg.lstsq(kept * scale, wanted * scale, rcond=None)[0]
+    return mixed
 
 
 def strengths(air: Atmosphere, views: np.ndarray, sun: np.ndarray, wavelengths: np.ndarray) -> Array:
-    """What each constituent scatters once toward the ground along views (D, 3), per phase function, (K, D, W)."""
+    """What each constituent scatters once toward the ground along views (D, 3), per phase function, (shapes, D, W)."""
     table = ColumnTable.of(air)
     path = rays(air, np.full(len(views), air.radius), np.maximum(views[:, 2], 0.0))
     local = (air.radius * sun[2] + path.distance * (views @ sun)[:, None]) / (air.radius + path.height)
@@ -156,4 +175,5 @@ def strengths(air: Atmosphere, views: np.ndarray, sun: np.ndarray, wavelengths: 
     lit *= np.where(blocked, 0.0, path.step)[:, :, None]
     scattering = depths * np.stack([part.scattered(wavelengths) for part in air.constituents])
     found: np.ndarray = np.einsum("kns,nsw->knw", path.density, lit, optimize=True) * scattering[:, None, :]
-    return found
+    laws = [part.phase_law for part in air.constituents]
+    return np.concatenate([mixture(law, wavelengths)[:, None, :] * one for law, one in zip(laws, found, strict=True)])

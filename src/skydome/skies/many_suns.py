@@ -12,7 +12,8 @@ import numpy as np
 from skydome.ground.arrays import Array
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.path_traced import PathTraced, kernel_air
+from skydome.skies.path_traced import PathTraced
+from skydome.skies.path_traced_tables import law_tables, shells
 from skydome.skies.validity import Range, require
 
 PARTS = 16
@@ -44,17 +45,15 @@ def many_suns(
 
     require("radius", radius, Range(1e-3, 0.2, "rad"))
     w, rings = checked_wavelengths(wavelengths), np.atleast_1d(np.asarray(elevations, dtype=np.float64))
-    depth, scattered, albedo, air, laws = kernel_air(sky.atmosphere, w)
-    depth, scattered = depth[:-1], scattered[:-1]  # without the altitude guide
+    air, laws = shells(sky.atmosphere, w), law_tables(sky.atmosphere, w)
     sine = float(sky.sun[2])
     suns, each = suns_with_room(sine, radius), -(-paths // PARTS)
     mean, error = np.empty((rings.size, suns, w.size)), np.empty((rings.size, suns, w.size))
     for e, height in enumerate(rings):
         view = np.array([np.cos(height), 0.0, np.sin(height)])
         for j in range(w.size):
-            own = np.ascontiguousarray(depth[:, j]), np.ascontiguousarray(scattered[:, j]), float(albedo[j])
             seed = sky.seed + 7919 * (e * w.size + j + 1)
-            found = hits(view, sine, suns, np.cos(radius), *own, air, laws, seed, each, PARTS)
+            found = hits(view, sine, suns, np.cos(radius), j, air, laws, seed, each, PARTS)
             mean[e, :, j], error[e, :, j] = estimate(found.sum(axis=0), each * PARTS, radius)
     sunlight = sky.atmosphere.sun_at(w)
     return Rings(rings, 2 * np.pi * np.arange(suns) / suns, mean * sunlight, error * sunlight)

@@ -1,6 +1,6 @@
-"""What the path tracer's kernel reads: geometry and phase laws of an atmosphere as plain arrays."""
+"""What the path tracer's kernel reads: geometry, depths and phase laws of an atmosphere as plain arrays."""
 
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,25 +10,70 @@ from skydome.air.profiles import Exponential
 from skydome.air.rays import columns_out
 from skydome.ground.quadrature import gauss_legendre
 
-ROWS, PLACES, HEIGHTS, ANGLES = 96, 96, 2048, 8192
+ROWS, PLACES, HEIGHTS, ANGLES = 96, 96, 2048, 4096
 RAYLEIGH, LOBES, TABLE = 0, 1, 2
+LANES = 4
+"""Wavelengths are filled up to a multiple of this, so that the kernel's loops over them run in vectors."""
 
 
-def geometry_tables(air: Atmosphere, guide_height: float) -> tuple[Any, ...]:
-    """Radius, scale heights (K + 1,), columns out (K + 1, rows, places), densities (K + 1, heights), height of the air.
+class Shells(NamedTuple):
+    """An atmosphere of K constituents at L wavelengths; those filled up repeat the last and weigh nothing."""
 
-    A scale height of 0 says that the constituent's profile is in the tables. The last constituent is the guide.
-    """
-    count = len(air.constituents) + 1
-    scales, tables, densities = np.zeros(count), np.zeros((count, ROWS, PLACES)), np.zeros((count, HEIGHTS))
-    scales[-1] = guide_height
+    radius: float
+    top: float
+    rates: np.ndarray
+    """One over the scale heights, m-1, (K,); 0 where the profile is in the tables."""
+    columns: np.ndarray
+    """Columns out to space, (K, rows, places)."""
+    densities: np.ndarray
+    """Densities over even heights, m-1, (K, heights)."""
+    depth: np.ndarray
+    """Vertical optical depths of extinction, (K, L)."""
+    scattered: np.ndarray
+    """Of scattering, (K, L), and ..."""
+    scatters: np.ndarray
+    """... whether there is any, (K,)."""
+    albedo: np.ndarray
+    """The ground's, (L,)."""
+    bands: int
+    """How many wavelengths are real."""
+
+
+class Laws(NamedTuple):
+    """The phase laws of K constituents at L wavelengths."""
+
+    kinds: np.ndarray
+    gamma: np.ndarray
+    """Rayleigh's depolarisation, (K,)."""
+    lobes: np.ndarray
+    """Asymmetries, (K, N), and ..."""
+    shares: np.ndarray
+    values: np.ndarray
+    """Over even angles 0..pi, sr-1, (K, angles, L), and ..."""
+    inverse: np.ndarray
+    """... cosines over even shares of the distribution, (K, L, angles), where the kind is TABLE."""
+
+
+def filled_up(rows: np.ndarray) -> np.ndarray:
+    """Rows (..., W) with the last wavelength repeated to a multiple of `LANES`, (..., L)."""
+    spare = -rows.shape[-1] % LANES
+    return np.ascontiguousarray(np.concatenate([rows, np.repeat(rows[..., -1:], spare, axis=-1)], axis=-1))
+
+
+def shells(air: Atmosphere, wavelengths: np.ndarray) -> Shells:
+    """The atmosphere at wavelengths (W,) as the kernels read it."""
+    count = len(air.constituents)
+    rates, tables, densities = np.zeros(count), np.zeros((count, ROWS, PLACES)), np.zeros((count, HEIGHTS))
     for k, part in enumerate(air.constituents):
         if isinstance(part.profile, Exponential):
-            scales[k] = part.profile.scale_height
+            rates[k] = 1 / part.profile.scale_height
         else:
             tables[k] = columns_of(air, k)
             densities[k] = part.profile.density(np.linspace(0, air.height, HEIGHTS))
-    return float(air.radius), scales, tables, densities, float(air.height)
+    depth = np.stack([part.depth(wavelengths) for part in air.constituents])
+    scattered = depth * np.stack([part.scattered(wavelengths) for part in air.constituents])
+    light = filled_up(depth), filled_up(scattered), (scattered > 0).any(axis=1), filled_up(air.albedo_at(wavelengths))
+    return Shells(float(air.radius), float(air.height), rates, tables, densities, *light, wavelengths.size)
 
 
 def columns_of(air: Atmosphere, k: int) -> np.ndarray:
@@ -41,13 +86,15 @@ def columns_of(air: Atmosphere, k: int) -> np.ndarray:
     return table
 
 
-def law_tables(air: Atmosphere) -> tuple[np.ndarray, ...]:
-    """Kinds (K,), Rayleigh's gamma (K,), lobes and shares (K, N), values and inverse distributions (K, angles)."""
+def law_tables(air: Atmosphere, wavelengths: np.ndarray) -> Laws:
+    """The phase laws at wavelengths (W,) as the kernels read them."""
     laws = [part.phase_law for part in air.constituents]
     most = max([len(law.asymmetries) for law in laws if isinstance(law, HenyeyGreenstein)], default=1)
+    tabled = any(not isinstance(law, Rayleigh | HenyeyGreenstein) for law in laws)
+    angles, lanes = ANGLES if tabled else 1, filled_up(wavelengths).size
     kinds, gamma = np.zeros(len(laws), dtype=np.int64), np.zeros(len(laws))
     lobes, shares = np.zeros((len(laws), most)), np.zeros((len(laws), most))
-    values, inverse = np.zeros((len(laws), ANGLES)), np.zeros((len(laws), ANGLES))
+    values, inverse = np.zeros((len(laws), angles, lanes)), np.zeros((len(laws), lanes, angles))
     for k, law in enumerate(laws):
         if isinstance(law, Rayleigh):
             kinds[k], gamma[k] = RAYLEIGH, law.depolarisation / (2 - law.depolarisation)
@@ -56,16 +103,19 @@ def law_tables(air: Atmosphere) -> tuple[np.ndarray, ...]:
             lobes[k, : len(law.asymmetries)], shares[k, : len(law.shares)] = law.asymmetries, law.shares
         else:
             kinds[k] = TABLE
-            values[k], inverse[k] = tabulated(law)
-    return kinds, gamma, lobes, shares, values, inverse
+            values[k], inverse[k] = tabulated(law, filled_up(wavelengths))
+    return Laws(kinds, gamma, lobes, shares, values, inverse)
 
 
-def tabulated(law: PhaseLaw) -> tuple[np.ndarray, np.ndarray]:
-    """Values (angles,) over even angles 0..pi, and cosines (angles,) over even shares of the distribution."""
+def tabulated(law: PhaseLaw, wavelengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Values (angles, W) over even angles 0..pi, and cosines (W, angles) over even shares of the distribution."""
     angle = np.linspace(0, np.pi, ANGLES)
-    values = law.value(np.cos(angle), [550.0])[:, 0]
-    t, w = gauss_legendre(8)
+    values = law.value(np.cos(angle), wavelengths)
+    t, w = gauss_legendre(3)
     inner = angle[:-1, None] + np.diff(angle)[:, None] * t
-    pieces = (law.value(np.cos(inner), [550.0])[..., 0] * np.sin(inner)) @ w * np.diff(angle)
-    whole = np.concatenate([[0.0], np.cumsum(pieces)])
-    return values, np.cos(np.interp(np.linspace(0, whole[-1], ANGLES), whole, angle))
+    density = law.value(np.cos(inner), wavelengths) * np.sin(inner)[..., None]
+    pieces = np.einsum("anw,n->aw", density, w) * np.diff(angle)[:, None]
+    whole = np.concatenate([np.zeros((1, wavelengths.size)), np.cumsum(pieces, axis=0)])
+    even = np.linspace(0, 1, ANGLES)
+    cosines = [np.cos(np.interp(even * column[-1], column, angle)) for column in whole.T]
+    return np.ascontiguousarray(values), np.stack(cosines)
