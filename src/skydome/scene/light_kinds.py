@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.dome.integrals import discs_and_rest, illuminance, own_array, projected
+from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_array, projected
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
@@ -110,9 +110,7 @@ class LightInXYZ(LightKind):
 
     def toward(self, sky: Sky, directions: Array) -> Array:
         """XYZ; TypeError for a sky that knows luminance only."""
-        if not isinstance(sky, ColourSky):
-            raise TypeError(f"{type(sky).__name__} knows luminance only; give it a colour: skydome.Daylight(sky)")
-        return sky.xyz(directions)
+        return coloured(sky).xyz(directions)
 
     def of_sun(self, disc: SunDisc) -> Array:
         """Normal XYZ."""
@@ -127,8 +125,7 @@ class LightInRGB(LightInXYZ):
 
     def toward(self, sky: Sky, directions: Array) -> Array:
         """RGB; TypeError for a sky that knows luminance only."""
-        super().toward(sky, directions[..., :1, :])  # for its refusal
-        return sky.rgb(directions, self.space)  # type: ignore[attr-defined]
+        return coloured(sky).rgb(directions, self.space)
 
     def of_sun(self, disc: SunDisc) -> Array:
         """Normal RGB."""
@@ -166,6 +163,13 @@ class LightInWavelengths(LightKind):
     def shares(self, value: Any) -> np.ndarray:
         """A reflectance as numbers, see `LightKind.shares`; spectra at the wavelengths."""
         return value.at(self.wavelengths) if isinstance(value, Spectrum) else super().shares(value)
+
+
+def coloured(sky: Sky) -> ColourSky:
+    """The sky, known to have colour; TypeError for one that has none."""
+    if not isinstance(sky, ColourSky):
+        raise TypeError(colourless(sky))
+    return sky
 
 
 LUX = LightInLux()
