@@ -1,4 +1,10 @@
-"""One of every sky, for the contract tests: name -> a function of (sun, xp-array maker) that makes it."""
+"""One of every sky, for the contract tests: name -> a function that makes it.
+
+`SKIES` answer in the sun's own library: made from a sun and a number 1 of any library (contract in `test_contract.py`).
+`PHYSICAL` ones compute in NumPy for one sun or many: made from a sun (`test_contract_physical.py`).
+"""
+
+import numpy as np
 
 import skydome as sd
 
@@ -23,6 +29,7 @@ SKIES = {
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
+    "preetham-refitted": lambda sun, one: sd.RefittedPreetham(sun, one * 3.2),
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "daylight": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
@@ -31,4 +38,55 @@ SKIES = {
     ),
     "doubled": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3) * 2.0,
     "sun-disc": lambda sun, one: sd.SunDisc(sun, one * 3.2),
+    "preetham-sun": lambda sun, one: sd.PreethamSun(sun, one * 3.2),
+    "neural": lambda sun, one: sd.NeuralSky.load("hosek-wilkie", sun, turbidity=one * 3.2),
+    "neural-preetham": lambda sun, one: sd.NeuralSky.load("preetham", sun, turbidity=one * 3.2),
+    "neural-spectral": lambda sun, one: sd.NeuralSpectralSky.load(
+        "hosek-wilkie-spectral", sun, turbidity=one * 3.2, albedo=one * 0.3
+    ),
+    "captured": lambda sun, one: sd.CapturedSky(OVERCAST) * one,
+    "sky-and-sun": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3) + sd.SunDisc(sun, one * 3.2),
 }
+
+OVERCAST = sd.render(sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0)), height=64)
+AIR = sd.Atmosphere.standard(aerosol_depth=0.15)
+
+
+def numbers():
+    """A Hosek-Wilkie sky's letters at all suns and wavelengths, as a refitted sky has them; light in sr-1."""
+    from skydome.skies.refitted import Numbers
+
+    letters = [0.02, -1.1, -0.3, 0.5, 2.0, -3.0, 0.2, 0.05, 0.6, 0.3]
+    elevations, wavelengths = np.radians([1.0, 20.0, 90.0]), np.array([380.0, 580.0, 780.0])
+    coefficients = np.broadcast_to(letters, (3, 3, 10)) * np.linspace(1, 1.2, 3)[:, None, None]
+    return Numbers(elevations, wavelengths, coefficients, np.zeros((3, 3)))
+
+
+PHYSICAL = {
+    "nishita-93": lambda sun: sd.Nishita93(sun, AIR),
+    "nishita-96": lambda sun: sd.Nishita96(sun, AIR, rings=4),
+    "discrete-ordinates": lambda sun: sd.DiscreteOrdinates(sun, AIR),
+    "mars": lambda sun: sd.Nishita93(sun, sd.Atmosphere.mars()),
+    "refitted": lambda sun: sd.Refitted(sun, numbers()),
+    "path-traced": lambda sun: sd.PathTraced(sun, AIR, relative_error=0.5),
+    "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
+    "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
+    "atmosphere-sun": lambda sun: sd.AtmosphereSun(sun, AIR),
+    "captured-square": lambda sun: sd.CapturedSky(OVERCAST.resampled(sd.EqualAreaSquare(), 128)),
+    "captured-with-sun": lambda sun: sd.CapturedSky(
+        sd.render(sd.HosekWilkie(sun if sun[2] > 0 else -sun, 3.0), height=64), sun
+    ),
+}
+ONE_SUN = ("path-traced", "held", "captured-with-sun")
+"""Those that have one sun."""
+TWILIGHT = (
+    "nishita-93",
+    "nishita-96",
+    "mars",
+    "path-traced",
+    "held",
+    "physical",
+    "captured-square",
+    "captured-with-sun",
+)
+"""Those that have light when the sun is down."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from skydome.air.optical_mass import kasten_1966
-from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, namespace
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum, checked_wavelengths, interpolated, xyz_weights
@@ -91,6 +91,12 @@ def angstrom_beta(turbidity: Array) -> Array:
     return 0.04608 * turbidity - 0.04586
 
 
+def require_least(name: str, value: Any, least: int) -> None:
+    """ValueError for numbers below `least`; arrays that are being traced cannot be asked."""
+    if value is not None and is_concrete(value) and np.any(as_numpy(value) < least):
+        raise ValueError(f"{name} must be {least} or more, got {value}")
+
+
 @dataclass(frozen=True, eq=False)
 class ClearAir:
     """Clear air by what is in it: turbidity (or Angstrom's beta itself), ozone and water in metres.
@@ -117,12 +123,10 @@ class ClearAir:
 
     def __post_init__(self) -> None:
         """Validate only."""
-        if self.beta is None and np.any(as_numpy(self.turbidity) < 1):
-            raise ValueError(f"turbidity must be 1 or more, got {self.turbidity}")
+        if self.beta is None:
+            require_least("turbidity", self.turbidity, 1)
         for name in ("beta", "ozone", "water"):
-            value = getattr(self, name)
-            if value is not None and np.any(as_numpy(value) < 0):
-                raise ValueError(f"{name} must be 0 or more, got {value}")
+            require_least(name, getattr(self, name), 0)
 
     def transmittance(self, sun: Array, wavelengths: Any) -> Array:
         """Share of the light from `sun` (..., 3) that reaches the ground at (W,) nm, shape (..., W); 1 is all."""
