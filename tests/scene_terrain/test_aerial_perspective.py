@@ -256,6 +256,32 @@ def test_gradient_of_turbidity_and_jax():
     assert float(slope) > 0
 
 
+@pytest.mark.parametrize("wavelengths", [None, [450.0, 650.0]])
+def test_many_turbidities_at_once(wavelengths):
+    """An array of turbidities broadcasts with the rays: each as if alone, in torch with a gradient for each."""
+    turbidities, distances = np.array([2.0, 3.5, 6.0])[:, None], np.array([1e3, 2e4])
+    views = sd.direction(np.array([1.0, 4.0]), 0.02)
+    both = aerial_perspective(sunny(), distances, views, 100.0, wavelengths, turbidities)
+    assert both.inscattered.shape[:2] == (3, 2)
+    for k, turbidity in enumerate(turbidities[:, 0]):
+        alone = aerial_perspective(sunny(), distances, views, 100.0, wavelengths, turbidity)
+        assert both.transmittance[k] == pytest.approx(alone.transmittance, rel=1e-12)
+        assert both.inscattered[k] == pytest.approx(alone.inscattered, rel=1e-12)
+    torch = pytest.importorskip("torch")
+    batch = torch.tensor(turbidities, requires_grad=True)
+    sky = sd.Preetham(torch.as_tensor(SUN), 3.0)
+    found = aerial_perspective(sky, 8000.0, torch.as_tensor(views), 100.0, wavelengths, batch)
+    found.inscattered.sum().backward()
+    assert torch.isfinite(batch.grad).all()
+    assert (batch.grad != 0).all()
+
+
+def test_a_sky_of_many_turbidities_is_refused():
+    sky = sd.Preetham(SUN, np.array([2.0, 3.0]))
+    with pytest.raises(ValueError, match=r"the sky must have one turbidity, got shape \(2,\)"):
+        aerial_perspective(sky, 1000.0, sd.EAST)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -265,7 +291,8 @@ def test_gradient_of_turbidity_and_jax():
         ({"height": np.inf}, r"height must lie in \[-5000, 1e\+09\] m"),
         ({"direction": [0.0, 0.0, 2.0]}, "direction must be finite unit vectors"),
         ({"wavelengths": [300.0, 500.0]}, r"wavelengths must lie in \[380, 780\] nm"),
-        ({"turbidity": 0.5}, r"turbidity must be one number in \[1, 64\]"),
+        ({"turbidity": 0.5}, r"turbidity must lie in \[1, 64\], got 0.5"),
+        ({"turbidity": [2.0, 90.0]}, r"turbidity must lie in \[1, 64\], got 2 to 90"),
         ({"ground_albedo": 1.5}, r"ground_albedo must lie in \[0, 1\]"),
     ],
 )

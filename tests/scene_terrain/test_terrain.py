@@ -291,6 +291,10 @@ def test_holes_filled_smoothly():
         (lambda: Camera(field_of_view=3.1), "field of view must lie"),
         (lambda: render_terrain(flat(), Camera(east=1e6), sunny()), "camera must stand on the map"),
         (lambda: render_terrain(flat(), Camera(), sunny(), samples=15), "samples must be a square number"),
+        (
+            lambda: render_terrain(flat(), Camera(), sunny(), AirLight(sunny(), turbidity=[2, 3])),
+            "air of one turbidity",
+        ),
         (lambda: render_terrain(flat(), Camera(), sunny(), albedo=(2.0, 0, 0)), r"albedo must lie in \[0, 1\]"),
         (lambda: Elevation(np.array([[np.nan, 1.0], [1.0, 1.0]]), 1.0, 1.0), "heights must be finite"),
     ],

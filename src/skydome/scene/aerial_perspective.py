@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from skydome.air.scattering import gas_total, haze_total
+from skydome.air.scattering import concentration, gas_total, haze_total
 from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.directions import checked_directions
@@ -22,6 +22,9 @@ MANY = 500
 
 MANY_PIXELS = 10_000
 """From so many rays on, RGB in NumPy is computed by the Numba kernel, if Numba is installed (float32, error .2 %)."""
+
+KEPT_TURBIDITY = 2.0
+"""The turbidity at which scattered light is kept; that of haze is proportional to its concentration."""
 
 LOWEST, FARTHEST = -5000.0, 1e9
 """Least height of a viewer above the ground to which the turbidity belongs, m, and largest height and distance."""
@@ -76,12 +79,22 @@ class AirLight:
     @cached_property
     def haze_turbidity(self) -> Any:
         """The turbidity given, or that of the sky; ValueError where neither is."""
-        for value in (self.turbidity, *(getattr(part, "turbidity", None) for part in self.sky.parts)):
-            if value is not None:
-                if np.ndim(value) != 0 or (is_concrete(value) and not 1 <= float(as_numpy(value)) <= 64):
-                    raise ValueError(f"turbidity must be one number in [1, 64], got {value}")
-                return value
-        raise ValueError(f"{type(self.sky).__name__} has no turbidity; give turbidity=...")
+        own = (getattr(part, "turbidity", None) for part in self.sky.parts)
+        value = self.turbidity if self.turbidity is not None else next((t for t in own if t is not None), None)
+        if value is None:
+            raise ValueError(f"{type(self.sky).__name__} has no turbidity; give turbidity=...")
+        if self.turbidity is None and np.ndim(value) != 0:
+            raise ValueError(f"the sky must have one turbidity, got shape {np.shape(value)}; loop over its skies")
+        value = floating(value) if np.ndim(value) else value
+        known = as_numpy(value) if is_concrete(value) else np.ones(1)
+        if not ((known >= 1) & (known <= 64)).all():
+            raise ValueError(f"turbidity must lie in [1, 64], got {np.min(known):g} to {np.max(known):g}")
+        return value
+
+    @property
+    def haze_scale(self) -> Any:
+        """How much more haze there is than in the air for which the scattered light is kept, shape of the turbidity."""
+        return concentration(self.haze_turbidity) / concentration(KEPT_TURBIDITY)
 
     @cached_property
     def like(self) -> Array:
@@ -106,7 +119,7 @@ class AirLight:
         if self.ground_albedo > 0:
             flux = constant(solid_angles * directions[:, 2], light) @ light + self.sun_flux
             directions, light, solid_angles = with_ground(directions, light, solid_angles, flux * self.ground_albedo)
-        haze, gas = self.channels.scattered(light, self.haze_turbidity)
+        haze, gas = self.channels.scattered(light, KEPT_TURBIDITY)
         weights = constant(solid_angles, light)[:, None]
         return Sources(directions, haze * weights, gas * weights, self.channels.wavelengths)
 
@@ -120,7 +133,7 @@ class AirLight:
         """The sun's discs as one direction each."""
         found = []
         for disc, weight in self.parts[0]:
-            haze, gas = self.channels.scattered(self.channels.sun_light(disc) * weight, self.haze_turbidity)
+            haze, gas = self.channels.scattered(self.channels.sun_light(disc) * weight, KEPT_TURBIDITY)
             found.append(Sources(disc.sun[None, :], haze[None, :], gas[None, :], self.channels.wavelengths))
         return found
 
@@ -136,7 +149,8 @@ class AirLight:
         for sun in self.sun_sources:
             more = sun.toward(views)
             haze, gas = haze + more[0], gas + more[1]
-        return haze, gas
+        scale = self.haze_scale
+        return haze * (constant_or_own(scale, haze)[..., None] if np.ndim(scale) else scale), gas
 
     def at(self, distance: Any, direction: Any, height: Any = 0.0) -> AerialPerspective:
         """Transmittance and in-scattered light of rays; see `aerial_perspective`."""
@@ -159,7 +173,7 @@ class AirLight:
         from importlib.util import find_spec
 
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
-        large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == 0
+        large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
         return bool(large and np.shape(distance) == direction.shape[:-1] and find_spec("numba") is not None)
 
     def by_kernel(self, distance: np.ndarray, direction: np.ndarray, height: Any) -> AerialPerspective:
@@ -196,7 +210,8 @@ def aerial_perspective(
     `height`: the viewer's, m above the ground. Shapes broadcast; the result has them and the channels last: linear
     sRGB scaled so that a white of 1 cd m-2 is (1, 1, 1), or `wavelengths` (W,) nm in W m-2 sr-1 nm-1. `sky` must know
     colour (a spectrum, for wavelengths); add the sun's disc to it (`sky + SunDisc.of(sky)`), else only skylight is
-    scattered. `turbidity` is the sky's own unless given; `ground_albedo` adds light from a grey ground.
+    scattered. `turbidity`, the air's, is the sky's own unless given, and then an array may broadcast with the rays:
+    the light stays that of the one sky. `ground_albedo` adds light from a grey ground.
 
     Flat ground, gas and haze that thin out exponentially, light that does not change with height, each photon
     scattered once along the ray (Preetham 1999, section 4). NumPy, torch and JAX, with gradients. ValueError for a
