@@ -48,9 +48,13 @@ class SunOptions:
 class SkyOptions(SunOptions):
     """A sky: the sun, the model and its parameters. None: not given."""
 
-    model: Annotated[str, Option(help="A sky model; `skydome models` lists them.", rich_help_panel=AIR)] = (
-        "hosek-wilkie"
-    )
+    model: Annotated[
+        str,
+        Option(
+            help="A sky model (`skydome models` lists them), or a network of your own: net.safetensors.",
+            rich_help_panel=AIR,
+        ),
+    ] = "hosek-wilkie"
     turbidity: Annotated[
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
     ] = None
