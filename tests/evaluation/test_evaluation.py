@@ -143,6 +143,35 @@ def test_a_fit_finds_the_turbidity_a_sky_was_made_with():
     assert fitted(model, made_up_sky(4.3))["turbidity"] == pytest.approx(4.3, abs=0.02)
 
 
+@needs_data
+def test_preethams_turbidity_is_fitted(sky):
+    all_scans, half = (evaluated(sky, ["preetham"], fit)[0] for fit in ("all", "half"))
+    assert all_scans.numbers["turbidity"] == pytest.approx(2.32, abs=0.01)
+    assert half.numbers["turbidity"] == pytest.approx(2.34, abs=0.01)
+    assert 1.2 < all_scans.comparison.figures()["error"] < 1.25
+    assert len(half.comparison.sky) == 6
+
+
+@needs_data
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("model", "fit", "most"),
+    [("plain-air", "no", 0.145), ("refitted", "no", 0.16), ("two-lobe-air", "half", 0.12), ("plain-air", "each", 0.11)],
+)
+def test_how_near_physical_skies_come(sky, model, fit, most):
+    pytest.importorskip("nanodisort")
+    figures = evaluated(sky, [model], fit)[0].comparison.figures()
+    assert figures["error"] <= most
+    assert figures["error_beyond_20_degrees"] <= most
+
+
+def test_numbers_of_each_scan_are_told_as_spans():
+    run = evaluated(made_up_sky(2.7), ["hosek-wilkie"], "each")[0]
+    low, high = (float(run.row()["numbers"].split()[k]) for k in (1, 3))
+    assert 2.3 < low <= high < 3.1
+    assert run.comparison.model.shape == (2, 72)
+
+
 def test_unknown_models_and_fits_are_refused():
     with pytest.raises(ValueError, match=r"model must be one of preetham, hosek-wilkie.* got 'none'"):
         evaluated(made_up_sky(), ["none"])

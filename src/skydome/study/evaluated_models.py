@@ -24,7 +24,7 @@ GROUND = 98_500.0
 
 @dataclass(frozen=True)
 class EvaluatedModel:
-    """A model: a sky from a sun and numbers, those numbers' names, usual values and limits, and its known failures."""
+    """A model: a sky from a sun and numbers; their usual values, limits (of those that are fitted), known failures."""
 
     name: str
     make: Callable[..., SpectralSky]
@@ -121,8 +121,8 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             "path-traced",
             lambda sun, depth, asymmetry: PathTraced(sun, plain_air(depth, asymmetry, distance), 0.01),
             {"depth": 0.06, "asymmetry": 0.76},
-            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
-            "noise of 1 %; else those of plain-air",
+            {},
+            "noise of 1 %, so that its numbers are not fitted; else those of plain-air",
         ),
         EvaluatedModel(
             "refitted",

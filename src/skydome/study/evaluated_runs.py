@@ -26,13 +26,14 @@ class Run:
 
 
 def told(numbers: Any) -> str:
-    """Numbers in a line.
+    """Numbers in a line; of a list of them, one for each scan, the least and the most.
 
-    >>> told({"turbidity": 2.5})
-    'turbidity 2.5'
+    >>> told({"turbidity": 2.5}), told([{"turbidity": 2.5}, {"turbidity": 2.25}])
+    ('turbidity 2.5', 'turbidity 2.25 to 2.5')
     """
     if isinstance(numbers, list):
-        return "fitted to each scan"
+        spans = {name: [float(part[name]) for part in numbers] for name in numbers[0]}
+        return ", ".join(f"{name} {min(values):.4g} to {max(values):.4g}" for name, values in spans.items())
     return ", ".join(f"{name} {value:.4g}" for name, value in numbers.items())
 
 
@@ -51,15 +52,16 @@ def run(model: EvaluatedModel, sky: MeasuredSky, fit: str) -> Run:
         return fitted_to_each(model, sky)
     numbers, other = model.numbers, sky
     if fit == "all":
-        numbers = fitted(model, sky)
+        numbers = model.numbers | fitted(model, sky)
     elif fit == "half":
-        numbers, other = fitted(model, sky.some(slice(0, None, 2))), sky.some(slice(1, None, 2))
+        other = sky.some(slice(1, None, 2))
+        numbers = model.numbers | fitted(model, sky.some(slice(0, None, 2)))
     return Run(compared(model.name, other, model.sky_of(numbers)), numbers, model.failures)
 
 
 def fitted_to_each(model: EvaluatedModel, sky: MeasuredSky) -> Run:
     """The model with its own numbers for each scan."""
-    numbers = [fitted(model, sky.some([k])) for k in range(len(sky))]
+    numbers = [model.numbers | fitted(model, sky.some([k])) for k in range(len(sky))]
     parts = [compared(model.name, sky.some([k]), model.sky_of(numbers[k])) for k in range(len(sky))]
     whole = replace(
         parts[0],
