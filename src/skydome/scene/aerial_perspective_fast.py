@@ -38,11 +38,11 @@ class FastAir:
     @classmethod
     def of(cls, air: "AirLight") -> "FastAir":
         """The tables of an air."""
+        if np.ndim(air.haze_turbidity) != 0:
+            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(air.haze_turbidity)}")
         found = air.coefficients(np.zeros(1))
         coefficients = np.concatenate([np.atleast_1d(as_numpy(part)) for part in found])
         q, weights = gauss_legendre(8)
-        if np.ndim(air.haze_turbidity) != 0:
-            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(air.haze_turbidity)}")
         scale = np.repeat([float(as_numpy(air.haze_scale)), 1.0], 3)
         sky = np.concatenate(air.table.toward(octahedral_directions()), axis=-1) * scale
         peaks = [peak_of(source) * scale for source in air.sun_sources]
