@@ -73,11 +73,10 @@ def test_one_bounce_against_the_closed_form():
     for zenith in (30, 60):
         air = flat()
         cosine, _, angle = geometry(VIEWS, sun_at(zenith))
-        to_eye, to_sun = (
-            np.array([[0.2], [0.0]]) / cosine[:, None, None],
-            np.array([[0.0], [0.2]]) / sun_at(zenith)[2],
+        edges = np.concatenate(
+            [0.2 / cosine[:, None, None], np.full((len(cosine), 1, 1), 0.2 / sun_at(zenith)[2])], axis=1
         )
-        reached = escaping(to_eye, to_sun)[:, 0]
+        reached = escaping(0.2 / cosine[:, None, None], edges)[:, 0]
         phases = sum(0.5 * part.phase_law.value(angle, W) for part in air.constituents)
         away.append(deviations(traced(zenith, air, orders=1), phases * reached * air.sun_at(W)))
     check(np.concatenate(away))

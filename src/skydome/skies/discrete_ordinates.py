@@ -20,6 +20,8 @@ from skydome.skies.layers import Layers, layered
 from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
+VIEWS = 512
+"""Directions at a time: what is held of them stays in the processor's cache."""
 LEAST_COSINE = 1e-3
 """Least cosine of a zenith angle, of view or sun, that plane-parallel layers are asked for."""
 
@@ -68,9 +70,9 @@ class DiscreteOrdinates(SpectralSky):
         """Radiance for a sun of irradiance 1, sr-1, shape (..., W)."""
         sky = Solution.of(self.atmosphere, max(float(sun[2]), LEAST_COSINE), wavelengths, self.streams)
         views = directions.reshape(-1, 3)
-        flat = np.empty((len(views), wavelengths.size))
-        for start in range(0, len(views), 8192):
-            part = slice(start, start + 8192)
+        flat, up = np.zeros((len(views), wavelengths.size)), np.flatnonzero(views[:, 2] >= 0)
+        for start in range(0, len(up), VIEWS):
+            part = up[start : start + VIEWS]
             cosine, relative, angle = geometry(views[part], sun)
             flat[part] = sky.radiance(cosine, relative, angle)
         return flat.reshape(*directions.shape[:-1], wavelengths.size)
@@ -115,9 +117,9 @@ class Solution:
         """Single and multiple scattering together, sr-1, shape (D, W)."""
         nodes, weights = cubic(len(self.series), position(cosine))
         waves = np.cos(relative[:, None] * np.arange(self.series.shape[1]))
-        multiple = np.zeros((len(cosine), self.series.shape[2]))
-        for k in range(4):
-            multiple += weights[:, k, None] * np.einsum("dm,dmw->dw", waves, self.series[nodes[:, k]])
+        hats = np.zeros((len(cosine), len(self.series), 1))
+        np.put_along_axis(hats, nodes[..., None], weights[..., None], axis=1)
+        multiple = (hats * waves[:, None, :]).reshape(len(cosine), -1) @ self.series.reshape(-1, self.series.shape[2])
         single: np.ndarray = self.layers.single(cosine, angle, self.cos_sun)
         return np.maximum(single + multiple, 0.0)
 

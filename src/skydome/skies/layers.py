@@ -59,8 +59,8 @@ class Layers:
         share = self.scattered / (1 - self.scattered * self.peak)
         distance, lengths = through(self.radii, cosine)
         local = (self.radii[-1] * cos_sun + distance * angle[:, None]) / self.radii
-        to_sun = outward(self.radii, local) @ self.scaled_depth
-        paths = escaping(from_below(lengths[..., None] * self.scaled_depth), to_sun)
+        edges = (inward(lengths) + outward(self.radii, local)) @ self.scaled_depth
+        paths = escaping(lengths[..., None] * self.scaled_depth, edges)
         total = np.zeros((len(cosine), self.wavelengths.size))
         for part, mix in zip(self.atmosphere.constituents, self.mix, strict=True):
             if mix.any():
@@ -73,8 +73,9 @@ class Layers:
         orders = np.arange(len(self.moments))
         series = (2 * orders + 1)[:, None, None] * self.scaled_moments / (4 * np.pi)
         phase = np.einsum("nd,nlw->dlw", legendre(orders.size, np.clip(angle, -1.0, 1.0)), series)
-        to_sun = outward(self.radii, np.full(self.radii.shape, cos_sun)) @ self.scaled_depth
-        paths = escaping(from_below(self.scaled_depth / cosine[:, None, None]), to_sun)
+        lengths = np.broadcast_to(1 / cosine[:, None], (len(cosine), len(self.depth)))
+        edges = (inward(lengths) + outward(self.radii, np.full(self.radii.shape, cos_sun))) @ self.scaled_depth
+        paths = escaping(lengths[..., None] * self.scaled_depth, edges)
         return np.einsum("dlw,dlw,lw->dw", paths, phase, self.scaled_share)
 
 
@@ -122,19 +123,22 @@ def outward(radii: np.ndarray, cosine: np.ndarray) -> np.ndarray:
     return result
 
 
-def from_below(depth: np.ndarray) -> np.ndarray:
-    """Depth between each edge and the ground, (..., L + 1, W), of layers (..., L, W)."""
-    below = np.cumsum(depth[..., ::-1, :], axis=-2)[..., ::-1, :]
-    return np.concatenate([below, np.zeros_like(below[..., :1, :])], axis=-2)
+def inward(lengths: np.ndarray) -> np.ndarray:
+    """Lengths in layers (D, L), those between each edge and the ground, (D, L + 1, L)."""
+    count = np.arange(lengths.shape[-1])
+    return lengths[:, None, :] * (count >= np.arange(count.size + 1)[:, None])
 
 
-def escaping(to_eye: np.ndarray, to_sun: np.ndarray) -> Array:
+def escaping(pieces: np.ndarray, edges: np.ndarray) -> Array:
     """Share of the sunlight that a layer would send to the eye if it scattered all, per phase, shape (..., L, W).
 
-    From the depths of the edges (..., L + 1, W): the integral over the layer of exp(-to_sun - to_eye) d to_eye, both
-    taken as linear inside it.
+    `pieces` (..., L, W): the layer's depth toward the eye; `edges` (..., L + 1, W): the depth from the sun by way of an
+    edge to the eye, linear inside a layer. The integral of exp(-edges) over the piece.
     """
-    whole = to_eye + to_sun
-    light, rate = np.exp(-whole), np.abs(np.diff(whole, axis=-2))
-    mean = np.where(rate < 1e-6, 1 - rate / 2, -np.expm1(-rate) / np.where(rate < 1e-6, 1.0, rate))
-    return np.maximum(light[..., :-1, :], light[..., 1:, :]) * mean * -np.diff(to_eye, axis=-2)
+    light, change = np.exp(-edges), -np.diff(edges, axis=-2)
+    upper, lower = light[..., :-1, :], light[..., 1:, :]
+    mean = upper + lower
+    mean *= 0.5
+    np.divide(lower - upper, change, out=mean, where=np.abs(change) > 1e-4)  # else the trapezoid is exact to 1e-9
+    mean *= pieces
+    return mean
