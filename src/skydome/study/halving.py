@@ -26,6 +26,11 @@ class Halving(Method):
 
     def learned(self, task: Task) -> Layers:
         """Layers of the best start, refined."""
+        stage, pool = self.chosen(task)
+        return refined(task, best(pool, 1), stage - len(task.recipe.rounds) - 1)
+
+    def chosen(self, task: Task) -> tuple[int, Pool]:
+        """The stage reached, and those left after the last round, with their mean squared residuals."""
         stage, pool = resumed(task)
         recipe = task.recipe
         if stage == 0:
@@ -35,10 +40,19 @@ class Halving(Method):
             stage = 1
         for number, (keep, steps) in enumerate(recipe.rounds, start=1):
             if stage <= number:
-                pool = further(task, best(pool, keep), steps, f"round {number} of {len(recipe.rounds)}")
+                pool = self.further(task, best(pool, keep), number, steps)
                 stage = number + 1
                 note(task, stage, pool)
-        return refined(task, best(pool, 1), stage - len(recipe.rounds) - 1)
+        return stage, pool
+
+    def further(self, task: Task, pool: Pool, number: int, steps: int) -> Pool:
+        """Each of the pool some steps on."""
+        recipe, few, results = task.recipe, task.some(task.recipe.start_samples), []
+        report = task.reporter(f"round {number} of {len(recipe.rounds)}")
+        for _, layers in pool:
+            layers, cost = minimised(layers, few, recipe.output, recipe.loss, steps, report, 1e-4)
+            results.append((cost, layers))
+        return results
 
 
 def begun(task: Task, number: int) -> tuple[float, Layers]:
@@ -49,15 +63,6 @@ def begun(task: Task, number: int) -> tuple[float, Layers]:
     layers, _ = minimised(layers, few, recipe.output, SumLoss(), max(recipe.start_steps * 3 // 4, 1))
     layers, cost = minimised(layers, few, recipe.output, recipe.loss, recipe.start_steps, report)
     return cost, layers
-
-
-def further(task: Task, pool: Pool, steps: int, stage: str) -> Pool:
-    """Each of the pool some steps on."""
-    recipe, few, results = task.recipe, task.some(task.recipe.start_samples), []
-    for _, layers in pool:
-        layers, cost = minimised(layers, few, recipe.output, recipe.loss, steps, task.reporter(stage), 1e-4)
-        results.append((cost, layers))
-    return results
 
 
 def refined(task: Task, pool: Pool, block: int) -> Layers:

@@ -10,7 +10,7 @@ from skydome.skies.network import Output
 from skydome.study.network_losses import Loss, wanted_sums
 
 Layers = list[tuple[np.ndarray, np.ndarray]]
-CHUNK = 4096
+CHUNK = 2048
 
 
 @dataclass(frozen=True)
@@ -34,23 +34,31 @@ def forward(layers: Layers, inputs: np.ndarray) -> tuple[list[np.ndarray], list[
 def weighted_jacobian(
     layers: Layers, signals: list[np.ndarray], sums: list[np.ndarray], k: int, weight: np.ndarray
 ) -> np.ndarray:
-    """Derivatives of the k-th sum z times `weight` (N,), single precision, (N, hidden numbers + width + 1).
+    """Derivatives of the k-th sum z times `weight` (N,), single precision, (hidden numbers + width + 1, N).
 
-    The columns are the numbers of the hidden layers and the k-th row and bias of the last: others do not touch it.
+    The rows are the numbers of the hidden layers and the k-th row and bias of the last: others do not touch it.
+    `signals` and `sums` are those of `forward`, turned (`turned_single`): samples run along the memory.
     """
     width, end = layers[-1][0].shape[1], hidden_numbers(layers)
-    jacobian = np.empty((len(weight), end + width + 1), np.float32)
-    jacobian[:, end:-1], jacobian[:, -1] = signals[-1] * weight[:, None], weight
-    back = layers[-1][0][k].astype(np.float32) * weight[:, None]
+    jacobian = np.empty((end + width + 1, len(weight)), np.float32)
+    np.multiply(signals[-1], weight, out=jacobian[end:-1])
+    jacobian[-1] = weight
+    back = layers[-1][0][k].astype(np.float32)[:, None] * weight
     for depth in range(len(layers) - 2, -1, -1):
         back = back * (-2 * sums[depth] * signals[depth + 1] ** 2)
         (after, before), count = layers[depth][0].shape, len(weight)
-        jacobian[:, end - after : end] = back
-        block = jacobian[:, end - after * (before + 1) : end - after].reshape(count, after, before)
-        np.multiply(back[:, :, None], signals[depth][:, None, :], out=block)
+        jacobian[end - after : end] = back
+        block = jacobian[end - after * (before + 1) : end - after].reshape(after, before, count)
+        np.multiply(back[:, None, :], signals[depth][None, :, :], out=block)
         end -= after * (before + 1)
-        back = back @ layers[depth][0].astype(np.float32)
+        if depth:
+            back = layers[depth][0].astype(np.float32).T @ back
     return jacobian
+
+
+def turned_single(values: list[np.ndarray]) -> list[np.ndarray]:
+    """Each (N, width) as (width, N) in single precision."""
+    return [value.T.astype(np.float32, order="C") for value in values]
 
 
 def hidden_numbers(layers: Layers) -> int:
@@ -78,11 +86,12 @@ def normal_equations(
         signals, sums, z = forward(layers, samples.inputs[part])
         residual, change = loss.residual(output, z, samples.light[part])
         cost += float((residual**2).sum())
-        signals, sums = [s.astype(np.float32) for s in signals], [s.astype(np.float32) for s in sums]
+        signals, sums = turned_single(signals), turned_single(sums)
+        change, residual = turned_single([change, residual])
         for k, own in enumerate(columns):
-            jacobian = weighted_jacobian(layers, signals, sums, k, change[:, k].astype(np.float32))
-            square[np.ix_(own, own)] += jacobian.T @ jacobian
-            slope[own] += jacobian.T @ residual[:, k].astype(np.float32)
+            jacobian = weighted_jacobian(layers, signals, sums, k, change[k])
+            square[own[:, None], own] += jacobian @ jacobian.T
+            slope[own] += jacobian @ residual[k]
     return square, slope, cost
 
 

@@ -36,6 +36,8 @@ class Task:
         """At most `count` of the samples, the same ones each time."""
         if count >= len(self.samples.inputs):
             return self.samples
+        if self.recipe.sequence:
+            return Samples(self.samples.inputs[:count], self.samples.light[:count])
         chosen = np.random.default_rng((self.seed, count)).choice(len(self.samples.inputs), count, replace=False)
         return Samples(self.samples.inputs[chosen], self.samples.light[chosen])
 
@@ -43,9 +45,19 @@ class Task:
         """Random layers for the inputs as they are; the sums' spread is itself drawn between 0.3 and 1.5."""
         rng = np.random.default_rng((self.seed, 1_000_000, number))
         layers = random_layers(self.widths, rng, rng.uniform(0.3, 1.5))
-        centre, spread = self.samples.inputs.mean(axis=0), self.samples.inputs.std(axis=0) + 1e-9
         weights, biases = layers[0]
-        return [(weights / spread, biases - weights @ (centre / spread)), *layers[1:]]
+        return [self.adapted(weights, self.recipe.bias_spread * biases), *layers[1:]]
+
+    def random_neurons(self, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        """Weights (count, inputs) and biases (count,) of neurons such as random starts have."""
+        weights, biases = random_layers([self.widths[0], count], rng, rng.uniform(0.3, 1.5))[0]
+        return self.adapted(weights, self.recipe.bias_spread * biases)
+
+    def adapted(self, weights: np.ndarray, biases: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Weights and biases for standardised inputs made those for the inputs as they are; mirrored ones are 0."""
+        weights[:, [name in self.recipe.mirrored for name in self.recipe.inputs]] = 0.0
+        centre, spread = self.samples.inputs.mean(axis=0), self.samples.inputs.std(axis=0) + 1e-9
+        return weights / spread, biases - weights @ (centre / spread)
 
     def reporter(self, stage: str) -> Callable[[float], None] | None:
         """A listener for one stage."""

@@ -127,6 +127,23 @@ def dense_lesson(teacher: Teacher, seed: int, count: int = 1000) -> Lesson:
     return lesson(teacher, elevation, turbidity, np.full(count, 0.5), views)
 
 
+def even_sequence(teacher: Teacher, seed: int, power: int = 14) -> Lesson:
+    """For the published network: 2^power single views by Sobol's sequence, as the paper's test weighs them, albedo 0.5.
+
+    Suns are even in zenith angle, with 1/14 of them in the zenith and 1/7 on the horizon. Turbidity is even but for its
+    first and last half, where it thins out. A fifth of the views are even in zenith angle, the others in solid angle.
+    """
+    from scipy.stats import qmc
+
+    first, sun, azimuth, height, manner, second = qmc.Sobol(6, seed=seed).random_base2(power).T
+    low, high = teacher.turbidities
+    turbidity = low + (high - low - 0.5) * first + 0.5 * second
+    zenith = np.pi / 2 * np.clip((sun - 1 / 14) / (1 - 1 / 14 - 1 / 7), 0, 1)
+    elevation = np.where(manner < 0.2, np.pi / 2 * height, np.arcsin(height))
+    views = direction(2 * np.pi * azimuth, elevation)[:, None, :]
+    return lesson(teacher, np.pi / 2 - zenith, turbidity, np.full(len(sun), 0.5), views)
+
+
 def spectral_lesson(teacher: Teacher, seed: int) -> Lesson:
     """For spectral networks: 120,000 samples of any turbidity and albedo, suns above 1.9 degrees."""
     return rich_lesson(teacher, seed, count=3000, views=40, albedo=None, lowest=0.033)

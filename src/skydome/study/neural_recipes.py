@@ -12,7 +12,16 @@ from skydome.study.backpropagation import Backpropagation
 from skydome.study.halving import Halving
 from skydome.study.network_losses import Loss, MixedLoss, SumLoss, TargetLoss
 from skydome.study.network_method import Method
-from skydome.study.neural_data import Lesson, Teacher, dense_lesson, published_lesson, rich_lesson, spectral_lesson
+from skydome.study.neural_data import (
+    Lesson,
+    Teacher,
+    dense_lesson,
+    even_sequence,
+    published_lesson,
+    rich_lesson,
+    spectral_lesson,
+)
+from skydome.study.pruning import GrowAndPrune
 from skydome.study.variable_projection import VariableProjection
 
 COMPACT = ("sqrt_turbidity", "sqrt_sun_elevation", "inverse_up", "distance", "sqrt_distance", "sqrt_up")
@@ -30,7 +39,9 @@ class Recipe:
 
     `starts` random networks take `start_steps` steps each on `start_samples` samples; each round (count, steps) keeps
     the best and goes on with them; the last one left takes `steps` steps on `most_samples`. `lesson` draws the data,
-    `dtype` is how the numbers are stored, `outputs` 3 for linear sRGB, or how many bands.
+    `dtype` is how the numbers are stored, `outputs` 3 for linear sRGB, or how many bands. `sequence`: the lesson's
+    first samples are as evenly spread as all. `mirrored`: inputs that change sign where the sky does not; their
+    weights start at 0. `bias_spread`: standard deviation of the first layer's biases at the start.
     """
 
     inputs: tuple[str, ...] = PUBLISHED
@@ -47,6 +58,9 @@ class Recipe:
     lesson: Callable[[Teacher, int], Lesson] = dense_lesson
     outputs: int = 3
     method: Method = field(default_factory=Halving)
+    sequence: bool = False
+    mirrored: tuple[str, ...] = ()
+    bias_spread: float = 1.0
 
     @property
     def bytes(self) -> int:
@@ -58,7 +72,10 @@ class Recipe:
 
 BACKPROPAGATION_RECIPE = Recipe(lesson=published_lesson, method=Backpropagation())
 AS_PUBLISHED_DATA = Recipe(lesson=published_lesson)
-PUBLISHED_RECIPE = Recipe()
+PUBLISHED_RECIPE = Recipe(
+    starts=24, start_steps=25, rounds=((8, 4), (3, 6), (1, 14)), steps=100, start_samples=2048, most_samples=16_384,
+    lesson=even_sequence, method=GrowAndPrune(), sequence=True, mirrored=("view_y",), bias_spread=2.0,
+)  # fmt: skip
 COMPACT_RECIPE = Recipe(
     COMPACT, (24,), ExponentialOutput(), MixedLoss(0.25), starts=16, rounds=((6, 30), (2, 80)), steps=250,
     most_samples=24_000, dtype=np.float16, lesson=rich_lesson,

@@ -14,7 +14,8 @@ class NetworkErrors:
 
     `target`: RMSE of y = 1 / (1 + 2 L), L of mean 1 over the training set. `target_over_range`: the same over y's
     range. `relative`: RMSE of radiance over its mean. `median`: median |L / L_teacher - 1|. `irradiance`: mean relative
-    error of the horizontal integral (the paper's eq. 11) over conditions.
+    error of the horizontal integral (the paper's eq. 11) over conditions. `per_sky`: the mean over skies (one turbidity
+    and sun) of the RMSE of y in each, as the paper averages.
     """
 
     target: float
@@ -22,6 +23,7 @@ class NetworkErrors:
     relative: float
     median: float
     irradiance: float
+    per_sky: float
 
     def as_dict(self) -> dict[str, float]:
         """The errors by name."""
@@ -48,6 +50,7 @@ def errors(network: Network, test: Lesson) -> NetworkErrors:
         relative=float(np.sqrt(np.mean((got - wanted) ** 2)) / wanted.mean()),
         median=float(np.median(np.abs(got / np.maximum(wanted, 1e-9) - 1))),
         irradiance=float(np.abs(irradiance).mean()),
+        per_sky=float(np.sqrt(((y_got - y_wanted) ** 2).mean(axis=(1, 2))).mean()),
     )
 
 

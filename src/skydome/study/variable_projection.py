@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skydome.study.levenberg_marquardt import Layers, flat, hidden_numbers, shaped, weighted_jacobian
+from skydome.study.levenberg_marquardt import Layers, flat, hidden_numbers, shaped, turned_single, weighted_jacobian
 from skydome.study.network_losses import SumLoss, wanted_sums
 from skydome.study.network_method import Method, Task
 
@@ -54,12 +54,13 @@ class VariableProjection(Method):
         layers = [*layers[:-1], (rows, np.zeros(len(rows)))]
         signals, sums, _ = single_forward(layers, inputs)
         design = with_one(signals[-1])
+        signals, sums = turned_single(signals), turned_single(sums)
         root = np.linalg.cholesky(ridged(design.T @ design)).astype(np.float32)
         square = np.zeros((size, size))
         for k in range(len(rows)):
-            jacobian = weighted_jacobian(layers, signals, sums, k, np.ones(len(inputs), np.float32))[:, :size]
-            followed = np.linalg.solve(root, design.T @ jacobian)
-            square += jacobian.T @ jacobian - followed.T @ followed
+            jacobian = weighted_jacobian(layers, signals, sums, k, np.ones(len(inputs), np.float32))[:size]
+            followed = np.linalg.solve(root, (jacobian @ design).T)
+            square += jacobian @ jacobian.T - followed.T @ followed
         return square
 
 
