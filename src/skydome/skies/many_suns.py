@@ -39,7 +39,7 @@ def many_suns(
 
     As many suns as have room side by side at the sun's elevation, 720 at the horizon (Hosek and Wilkie 2012, section
     3). `paths` for each ring and wavelength. Without next-event estimation: for tests and for air that has no aimed
-    light; about 1000 times slower than `PathTraced` itself. The sun's disc is not seen directly.
+    light; over 1000 times slower than `PathTraced` itself. The sun's disc is not seen directly.
     """
     from skydome.skies.many_suns_kernel import hits
 

@@ -24,6 +24,9 @@ GUIDED_BELOW = 3.0
 
 ALL_ORDERS = 1000
 
+PATHS = 2
+"""Counted up whenever a seed comes to mean other paths, which are not to be mixed in one tracing."""
+
 
 @dataclass(frozen=True, eq=False)
 class Tracing:
@@ -171,7 +174,7 @@ class TracingJob:
 
         told = repr(replace(self.sky, sun=tuple(np.asarray(self.sky.sun).tolist())).parameters())
         data = self.directions.tobytes() + self.wavelengths.tobytes() + repr(self.sky.atmosphere).encode()
-        return sha256(told.encode() + data).hexdigest()
+        return sha256(f"{told} {PATHS}".encode() + data).hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
