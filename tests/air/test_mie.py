@@ -113,7 +113,7 @@ def test_its_aerosol_goes_into_an_atmosphere():
     dust = sd.MieParticles(Lognormal(0.2e-6, 1.8), 1.53, Spectrum([400.0, 700.0], [0.01, 0.003]))
     aerosol = dust.optics([400.0, 550.0, 700.0]).aerosol(optical_depth=0.3)
     air = sd.Atmosphere((sd.Molecules(), aerosol))
-    assert not air.wavelengths_alike
+    assert not aerosol.phase.wavelengths_alike
     assert aerosol.depth([550.0])[0] == pytest.approx(0.3)
     assert np.all(np.diff(aerosol.scattered([400.0, 550.0, 700.0])) > 0)
     pytest.importorskip("nanodisort")

@@ -120,11 +120,6 @@ class Atmosphere:
         parts = (mars.gas(pressure), mars.dust(dust_depth))
         return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
 
-    @property
-    def wavelengths_alike(self) -> bool:
-        """True where no constituent's phase function changes with wavelength."""
-        return all(part.phase_law.wavelengths_alike for part in self.constituents)
-
     def depth(self, wavelengths: Any) -> Array:
         """Vertical optical depth of everything above the ground, (W,)."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
