@@ -138,16 +138,21 @@ def measured_sky():
 
 
 @pytest.mark.slow
-def test_the_measured_sky_leave_one_out():
-    """Kider et al. 2014: 12 scans; each in turn is held out."""
-    results = leave_one_out(read_scans(measured_sky()), FADES)
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_the_measured_sky_leave_one_out(seed):
+    """Kider et al. 2014: 12 scans; each in turn is held out. Every sample counts, also those close to the sun."""
+    results = leave_one_out(read_scans(measured_sky()), FADES, seed=seed)
 
     def inner(name, what):
         return float(np.mean([getattr(e, what) for e in results[name][1:-1]]))
 
-    assert inner("network", "target") <= 0.0053
-    assert inner("network", "relative") <= 0.065
+    def ends(name):
+        return float(np.mean([results[name][k].relative for k in (0, -1)]))
+
+    assert inner("network", "target") <= 0.0051
+    assert inner("network", "relative") <= 0.06
     best = inner("network with faded residual", "relative")
-    assert best <= 0.042
+    assert best <= 0.040
     for rival in ("cross-fade", "sun-aligned cross-fade", "bicubic spherical"):
         assert best < inner(rival, "relative")
+    assert 3 * ends("network with faded residual") <= ends("cross-fade")

@@ -9,17 +9,21 @@ from skydome.ground.directions import angle_between
 from skydome.skies.network import ExponentialOutput, Network, conditions, features
 from skydome.skies.neural import NeuralSky
 from skydome.study.captures import Capture
-from skydome.study.interpolation import Fade, known_between
+from skydome.study.halving import Halving
+from skydome.study.interpolation import Committee, Fade, known_between
 from skydome.study.levenberg_marquardt import Samples
 from skydome.study.network_losses import MixedLoss
-from skydome.study.network_method import Progress
+from skydome.study.network_method import Progress, Task
 from skydome.study.neural_recipes import Recipe
 from skydome.study.neural_training import train_on
 from skydome.study.scans import Scan
 from skydome.study.sun_finding import sun_pixels
 
-DAY_RECIPE = Recipe(starts=6, start_steps=10, rounds=(), steps=30)
-"""The published network, stopped early: a day's dozen suns are soon learned by heart."""
+DAY_RECIPE = Recipe(starts=40, start_steps=10, rounds=((40, 25), (16, 35)), steps=0)
+"""The published network: many starts, none trained for long (a day's dozen suns are soon learned by heart)."""
+
+COMMITTEE_RECIPE = Recipe(starts=20, start_steps=10, rounds=((20, 25),), steps=0)
+"""Networks of the published form, trained still more briefly, whose mean is steadier than any of them."""
 
 MAP_RECIPE = Recipe(output=ExponentialOutput(), loss=MixedLoss(0.05), starts=6, start_steps=10, rounds=(), steps=40)
 """For maps from dawn to dusk: as large, but even-handed between bright and dark skies, and never 0."""
@@ -77,12 +81,29 @@ def train_day(
 
     Weights of inputs that captures do not tell are 0, so that a `NeuralSky` of the network heeds no turbidity.
     """
+    samples, scale = day_samples(scans, recipe)
+    return unused_silenced(train_on(samples, recipe, scale, seed, (), progress))
+
+
+def train_committee(scans: Sequence[Scan], recipe: Recipe = COMMITTEE_RECIPE, seed: int = 0) -> Committee:
+    """Every network that the recipe's starts give, for the mean of them all; the recipe's method must be halving."""
+    samples, scale = day_samples(scans, recipe)
+    if not isinstance(recipe.method, Halving):
+        raise TypeError(f"a committee is trained by halving, got {recipe.method.name}")
+    _, pool = recipe.method.chosen(Task(samples, recipe, seed))
+    networks = [unused_silenced(Network(recipe.inputs, tuple(layers), recipe.output, scale)) for _, layers in pool]
+    nearest = min(float(angle_between(scan.directions, scan.suns).min()) for scan in scans)
+    return Committee(tuple(networks), 2 * np.sin(nearest / 2))
+
+
+def day_samples(scans: Sequence[Scan], recipe: Recipe) -> tuple[Samples, float]:
+    """Samples of all scans, light over its mean, and that mean; ValueError for suns that do not move."""
     if len({tuple(scan.sun.round(6)) for scan in scans}) < 2:
         raise ValueError(f"a day needs captures of at least two suns, got {len(scans)} of one")
     light = np.concatenate([scan.light for scan in scans])
     inputs = np.concatenate([network_inputs(recipe.inputs, scan.directions, scan.suns) for scan in scans])
     scale = float(light.mean())
-    return unused_silenced(train_on(Samples(inputs, light / scale), recipe, scale, seed, (), progress))
+    return Samples(inputs, light / scale), scale
 
 
 def unused_silenced(network: Network) -> Network:
@@ -124,18 +145,19 @@ def leave_one_out(
 ) -> dict[str, list[CaptureErrors]]:
     """Errors at each scan of the network trained without it ("network") and of each way between its neighbours.
 
-    The first and last scans have a neighbour on one side alone: that is extrapolation.
+    Ways that use a network have the mean of a committee, trained likewise. The first and last scans have a
+    neighbour on one side alone: that is extrapolation.
     """
     scale = float(np.concatenate([scan.light for scan in scans]).mean())
     results: dict[str, list[CaptureErrors]] = {name: [] for name in ["network", *(fade.name for fade in fades)]}
     for k, held in enumerate(scans):
         others = [scan for i, scan in enumerate(scans) if i != k]
-        network = train_day(others, recipe, seed)
+        network, committee = train_day(others, recipe, seed), train_committee(others, seed=seed)
         suns = np.broadcast_to(held.suns, held.directions.shape)
         alone = network.light(network_inputs(network.features, held.directions, suns))
         results["network"].append(errors_of(alone, held.light, scale))
         for fade in fades:
             known = known_between(others, held.time)
-            light = fade.with_network(network).light(known, held.directions, suns)
+            light = fade.with_network(committee).light(known, held.directions, suns)
             results[fade.name].append(errors_of(light, held.light, scale))
     return results

@@ -30,12 +30,35 @@ def known_between(scans: Sequence[Scan], time: float) -> Known:
     return Known(scans[later - 1], scans[later], float(np.clip(share, 0.0, 1.0)), scans, time)
 
 
+@dataclass(frozen=True, eq=False)
+class Committee:
+    """Several networks of one day with the same inputs: their geometric mean.
+
+    Nearer to the sun than `least_distance` (Euclidean, of unit vectors) no capture has a sample, and there the input
+    `distance` is held: what lies nearer would be extrapolated, and steeply.
+    """
+
+    networks: Sequence[Network]
+    least_distance: float = 0.0
+
+    def light(self, inputs: np.ndarray) -> np.ndarray:
+        """Light (..., 3) from the inputs that `features` names."""
+        logs = [np.log(np.maximum(network.light(inputs), 1e-9 * network.scale)) for network in self.networks]
+        light: np.ndarray = np.exp(np.mean(logs, axis=0))
+        return light
+
+    @property
+    def features(self) -> tuple[str, ...]:
+        """Names of the inputs."""
+        return self.networks[0].features
+
+
 class Fade(ABC):
     """A way to the light between scans."""
 
     name: ClassVar[str]
 
-    def with_network(self, network: Network) -> "Fade":
+    def with_network(self, network: Network | Committee) -> "Fade":
         """The same way; with a network where it uses one."""
         del network
         return self
@@ -96,9 +119,9 @@ class NetworkFade(Fade):
     """
 
     name: ClassVar[str] = "network with faded residual"
-    network: Network | None = None
+    network: Network | Committee | None = None
 
-    def with_network(self, network: Network) -> "NetworkFade":
+    def with_network(self, network: Network | Committee) -> "NetworkFade":
         """This way with that network."""
         return replace(self, network=network)
 
@@ -118,10 +141,12 @@ class NetworkFade(Fade):
         return np.asarray(scan.values_at(np.log(np.maximum(scan.light, 1e-9) / np.maximum(own, 1e-9)), directions))
 
 
-def day_light(network: Network, directions: np.ndarray, suns: np.ndarray) -> np.ndarray:
+def day_light(network: Network | Committee, directions: np.ndarray, suns: np.ndarray) -> np.ndarray:
     """The network's light (..., 3) toward directions (..., 3), without night or horizon."""
-    inputs = features(network.features, conditions(directions, suns, np.ones(1), np.ones(1)))
-    return np.asarray(network.light(inputs))
+    values = conditions(directions, suns, np.ones(1), np.ones(1))
+    if isinstance(network, Committee):
+        values = values._replace(distance=np.maximum(values.distance, network.least_distance))
+    return np.asarray(network.light(features(network.features, values)))
 
 
 FADES: tuple[Fade, ...] = (CrossFade(), AlignedCrossFade(), BicubicFade(), NetworkFade())
