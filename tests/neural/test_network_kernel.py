@@ -64,8 +64,8 @@ def error(got, truth):
 
 
 every_network = pytest.mark.parametrize("name", [*SHIPPED, "odd-rational", "odd-exponential", "odd-spectral"])
-# Weights of opposite sign cancel to a few percent of their size, most of all in networks of 492 bytes under low suns. The
-# largest of the shipped ones, up to 336, are Preetham's: its single precision is half as good.
+# Weights of opposite sign cancel to a few percent of their size, most of all in networks of 492 bytes under low suns.
+# The largest of the shipped ones, up to 336, are Preetham's: its single precision is half as good.
 LEAST_BOUND = {"preetham": 2e-5}
 suns = pytest.mark.parametrize(("elevation", "bound"), [(1.0, 2.5e-5), (15.0, 1e-5), (45.0, 1e-5), (90.0, 1e-5)])
 

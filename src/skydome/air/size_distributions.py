@@ -87,8 +87,8 @@ class Junge(SizeDistribution):
 
     Preetham, Shirley and Smits 1999, A.3, give haze v = 4, dn = 0.434 c r^-5 dr.
 
-    >>> Junge(4.0, 0.04e-6, 10e-6).number(np.array([1e-6, 2e-6])) @ [1, -32] == 0
-    np.True_
+    >>> bool(Junge(4.0, 0.04e-6, 10e-6).number(np.array([1e-6, 2e-6])) @ [1, -32] == 0)
+    True
     """
 
     exponent: float = 4.0
