@@ -79,6 +79,14 @@ def test_frames_meet_the_captures_and_beat_the_cross_fade_between(animation):
     assert ours_rms < 0.6 * faded_rms
 
 
+def test_the_sun_is_laid_in_as_a_small_spot(animation):
+    """All its light within 1.2 texels; what is beyond is the capture's, and a Gaussian's tail would show."""
+    frame, capture = animation.frame(animation.times[3]).pixels[:32], animation.captures[3]
+    beyond = angle_between(animation.upper(), capture.sun.astype(np.float32)) > 1.2 * np.pi / 64
+    np.testing.assert_allclose(frame[beyond], capture.calm.pixels[:32][beyond], rtol=1e-3)
+    assert frame[~beyond].max() > 1000 * frame[beyond].max()
+
+
 def test_frames_change_without_jumps(animation):
     frames = [animation.frame(t).pixels for t in np.linspace(0, animation.times[-1], 120)]
     changes = [change(a, b) for a, b in pairwise(frames)]

@@ -16,8 +16,8 @@ BLEND = np.radians(8.0)
 """Elevation below which the network's sky gives way to the captures' own: it has seen little of the horizon's haze."""
 SETTING = np.radians(1.0)
 """Elevation over which a setting sun's disc fades."""
-SUN_WIDTH = 0.6
-"""Standard deviation of the sun's spot, texels (at least its own radius)."""
+SUN_WIDTH = 1.2
+"""Radius of the sun's spot, texels (at least its own): beyond it there is none, for a millionth of the sun shows."""
 MOST_MOVED = 0.7
 """Log: the most by which the network may change a texel against the fade of its captures."""
 SMOOTH = np.radians(1.5)
@@ -133,17 +133,17 @@ class Animation:
         """Add the sun's light (3,), cd m-2 sr, as a round spot about the sun, its energy exact; in place."""
         projection = self.captures[0].picture.projection
         texel = np.pi / self.height
-        width = max(SUN_WIDTH * texel, 0.00465)
+        width = max(SUN_WIDTH * texel, np.radians(0.27))
         row, column, _ = projection.pixels(sun, self.height)
         rows, columns = pixels.shape[:2]
-        reach = int(np.ceil(5 * width / texel))
+        reach = int(np.ceil(width / texel)) + 1
         i = np.arange(max(0, int(row) - reach), min(rows // 2, int(row) + reach + 1))
         across = min(columns // 2, int(np.ceil(reach / max(np.sin((row / rows) * np.pi), 1e-3))) + 1)
         j = (int(column) + np.arange(-across, across)) % columns
         if not i.size or sun[2] <= 0:
             return
         toward = projection.toward(i[:, None] + 0.5, j[None, :] + 0.5, self.height)
-        spot = np.exp(-((angle_between(toward, sun) / width) ** 2) / 2)
+        spot = np.maximum(1 - (angle_between(toward, sun) / width) ** 2, 0) ** 2
         flux = spot * np.broadcast_to(projection.solid_angles(self.height), (rows, columns))[i[:, None], j]
         risen = float(np.clip(elevation(sun) / SETTING, 0, 1))
         total = flux.sum()
