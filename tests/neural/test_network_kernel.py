@@ -65,8 +65,6 @@ def error(got, truth):
 
 every_network = pytest.mark.parametrize("name", [*SHIPPED, "odd-rational", "odd-exponential", "odd-spectral"])
 # Weights of opposite sign cancel to a few percent of their size, most of all in networks of 492 bytes under low suns.
-# The largest of the shipped ones, up to 336, are Preetham's: its single precision is half as good.
-LEAST_BOUND = {"preetham": 2e-5}
 suns = pytest.mark.parametrize(("elevation", "bound"), [(1.0, 2.5e-5), (15.0, 1e-5), (45.0, 1e-5), (90.0, 1e-5)])
 
 
@@ -77,7 +75,7 @@ def test_maps(name, elevation, bound, azimuth, always):
     sky = sky_of(name, elevation, azimuth)
     truth = sky.rgb(sd.Equirectangular().directions(HEIGHT)[: HEIGHT // 2])
     shown = sd.render(sky, HEIGHT).pixels
-    assert error(shown[: HEIGHT // 2], truth) <= max(bound, LEAST_BOUND.get(name, 0))
+    assert error(shown[: HEIGHT // 2], truth) <= bound
     assert np.ptp(shown[HEIGHT // 2 :], axis=(0, 1)).max() == 0
     np.testing.assert_allclose(sd.render(sky, HEIGHT, dtype=np.float64).pixels[: HEIGHT // 2], truth, rtol=1e-9)
 
@@ -86,7 +84,7 @@ def test_maps(name, elevation, bound, azimuth, always):
 @suns
 def test_directions(name, elevation, bound, always):
     sky = sky_of(name, elevation)
-    assert error(sky.rgb(VIEWS.astype(np.float32)), sky.rgb(VIEWS)) <= max(bound, LEAST_BOUND.get(name, 0))
+    assert error(sky.rgb(VIEWS.astype(np.float32)), sky.rgb(VIEWS)) <= bound
     if sky.network.bands:
         middle = np.mean(sky.bands[1:3])
         truth = sky.radiance(VIEWS, [middle, sky.bands[-1]])
