@@ -56,6 +56,7 @@ def tables():
 def test_the_family_is_within_four_per_cent_over_suns_and_turbidities(tables):
     assert tables.control.shape == (3, 2, 6, 2, 10)
     assert rms(tables.error) < 0.04
+    assert tables.error[:2].max() < 0.04  # turbidity 2 and 3, each albedo and wavelength by itself
     own = sd.SkyFamily.of(physical, (3.0,), (0.0, 1.0), W)
     np.testing.assert_allclose(np.sqrt((away(tables, own) ** 2).mean(axis=2))[0], tables.error[1], rtol=1e-6)
 
@@ -65,6 +66,8 @@ def test_suns_and_turbidities_between_those_fitted(tables):
     errors = away(tables, between)
     assert rms(errors) < 0.04
     assert errors.max() < 0.09
+    assert errors[:, :, 1].max() < 0.05  # 14 degrees
+    assert errors[:, :, 3].max() < 0.035  # 62 degrees
 
 
 def test_albedos_are_mixed_as_light_is():
