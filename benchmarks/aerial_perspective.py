@@ -11,9 +11,9 @@ from aerial_perspective_published import published_veil
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.aerial_perspective_fast import FastAir
-from skydome.scene.aerial_perspective_integrals import FewNodes, Ray
-from skydome.scene.aerial_perspective_published import PublishedClosedForm
+from skydome.haze.fast import FastAir
+from skydome.haze.integrals import FewNodes, Ray
+from skydome.haze.published import PublishedClosedForm
 
 
 def best(call, times=7):

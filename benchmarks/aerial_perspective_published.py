@@ -3,7 +3,7 @@
 import numba
 import numpy as np
 
-from skydome.scene.aerial_perspective_kernel import (
+from skydome.haze.kernel import (
     GAS_DECAY,
     HAZE_DECAY,
     LANES,

@@ -12,9 +12,9 @@ from gpu import EFFICACY, TURBIDITY, map_inputs, sky_letters, whole_map
 import skydome as sd
 from skydome.dome.network_rows import paint_network, rgb_network
 from skydome.dome.sky_rows import paint
-from skydome.skies import fast_light
-from skydome.skies.fast_network import compiled_kernel, light_by_kernel, light_by_numpy
-from skydome.skies.neural import NeuralSpectralSky
+from skydome.skies.formula import fast as fast_light
+from skydome.skies.neural.fast import compiled_kernel, light_by_kernel, light_by_numpy
+from skydome.skies.neural.sky import NeuralSpectralSky
 
 SUN = sd.direction(np.pi, 40 * sd.deg)
 OFF_GRID = sd.direction(2.0, 40 * sd.deg)

@@ -4,7 +4,7 @@ import time
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.bright_source import without_sources
+from skydome.eye.bright_source import without_sources
 
 
 def best(work, runs=5):

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 import skydome as sd
-from skydome.skies.perez_formula import evaluate, view_geometry
+from skydome.skies.formula.perez_formula import evaluate, view_geometry
 
 TURBIDITY, ALBEDO = 3.0, 0.2
 SUN = sd.direction(2.0, 40 * sd.deg)

@@ -14,7 +14,7 @@ from skydome.air.constituents import Aerosol, Molecules
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Exponential
 from skydome.ground.quadrature import hemisphere
-from skydome.skies.path_traced import PathTraced
+from skydome.skies.path_tracing.sky import PathTraced
 
 WAVELENGTHS = np.arange(320.0, 721.0, 40.0)
 

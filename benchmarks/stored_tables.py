@@ -3,10 +3,10 @@
 import numpy as np
 
 from skydome.ground.directions import elevation
+from skydome.skies.formula.perez_formula import evaluate, view_geometry
+from skydome.skies.formula.sky_tables import blended, control_weights
 from skydome.skies.hosek_wilkie import HosekWilkieRGB, published, turbidity_weights
-from skydome.skies.perez_formula import evaluate, view_geometry
-from skydome.skies.sky_tables import blended, control_weights
-from skydome.study.neural_data import TEACHERS, even_lesson, lesson
+from skydome.training.lessons import TEACHERS, even_lesson, lesson
 
 OFFSET = HosekWilkieRGB.offset
 

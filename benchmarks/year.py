@@ -60,8 +60,8 @@ def in_memory(tape):
     """Milliseconds from arrays to (8760, 2305), one channel, output reused."""
     import skydome as sd
     from skydome.dome.patches import reinhart
-    from skydome.year import gendaymtx
-    from skydome.year.dome_means import PerezSkies, dome_means
+    from skydome.years.gendaymtx import matrix as gendaymtx
+    from skydome.years.skies.dome_means import PerezSkies, dome_means
 
     skies, cut = gendaymtx.skies_of(gendaymtx.tape_of(tape)), reinhart(4)
     suns = sd.direction(skies.azimuth, np.pi / 2 - skies.zenith)
@@ -77,7 +77,7 @@ def in_memory(tape):
 
 def many_sites(tape, counts):
     """Site-years a minute by Dask on 2 worker processes, written to Zarr."""
-    from skydome.year.site_years import Site, run_sites
+    from skydome.years.stores.sites import Site, run_sites
 
     for count in counts:
         with tempfile.TemporaryDirectory() as folder:
@@ -92,8 +92,8 @@ def many_sites(tape, counts):
 def tape_of_pvlib(folder):
     import pvlib
 
-    from skydome.year.wea import write_wea
-    from skydome.year.weather import read_weather
+    from skydome.years.weather.wea import write_wea
+    from skydome.years.weather.weather import read_weather
 
     path = Path(folder) / "greensboro.wea"
     write_wea(read_weather(Path(pvlib.__file__).parent / "data" / "723170TYA.CSV"), path)

@@ -14,11 +14,11 @@ from PIL import Image
 
 import skydome as sd
 from skydome import deg
+from skydome.land.camera import Camera
+from skydome.land.elevation import read_elevation
+from skydome.land.picture import render_terrain
+from skydome.land.texture import read_texture
 from skydome.light.colour import xyY_from_xyz, xyz_from_rgb
-from skydome.scene.camera import Camera
-from skydome.scene.terrain import render_terrain
-from skydome.scene.terrain_elevation import read_elevation
-from skydome.scene.terrain_texture import read_texture
 
 HERE = Path(__file__).parent
 PARK = sd.Place(latitude=40.36, longitude=-105.70, altitude=2800)

@@ -7,8 +7,8 @@ import numpy as np
 
 from skydome import deg
 from skydome.air.scattering import gas_total, haze_total
-from skydome.scene.aerial_perspective_integrals import FewNodes, Ray, coefficients_like
-from skydome.scene.aerial_perspective_published import AdaptiveQuadrature, PublishedClosedForm
+from skydome.haze.integrals import FewNodes, Ray, coefficients_like
+from skydome.haze.published import AdaptiveQuadrature, PublishedClosedForm
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt

@@ -5,10 +5,10 @@ from drawing import FIGURES, canvas, keep, to_bytes, write
 from PIL import Image
 
 import skydome as sd
+from skydome.captures.animation import Animation
+from skydome.captures.capture_training import train_captures
+from skydome.captures.captures import Capture
 from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
-from skydome.study.animation import Animation
-from skydome.study.capture_training import train_captures
-from skydome.study.captures import Capture
 
 PLACE = sd.Place(45.07, 7.69, 240)
 HEIGHT, COUNT = 128, 8

@@ -13,9 +13,7 @@ from drawing import table, update
 
 import skydome as sd
 from skydome import deg
-from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
-from skydome.light.colour import encode_srgb
-from skydome.scene.point_spread import (
+from skydome.eye.point_spread import (
     MESOPIC,
     PHOTOPIC,
     PIGMENTS,
@@ -25,7 +23,9 @@ from skydome.scene.point_spread import (
     StilesHolladay,
     stiles_holladay,
 )
-from skydome.scene.streaks import Needles
+from skydome.eye.streaks import Needles
+from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
+from skydome.light.colour import encode_srgb
 
 HERE = Path(__file__).parent
 PANEL = 480

@@ -14,14 +14,15 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import skydome as sd
-from skydome.skies import fast_light, fast_network
-from skydome.skies.network import PUBLISHED, RationalOutput
-from skydome.skies.network_files import shipped_network
-from skydome.skies.neural import NeuralSpectralSky
-from skydome.study.neural_data import TEACHERS, held_out
-from skydome.study.neural_recipes import RECIPES, Recipe
-from skydome.study.neural_training import train
-from skydome.study.neural_validation import relative_error, validated, validated_by_zenith
+from skydome.skies.formula import fast as fast_light
+from skydome.skies.neural import fast as fast_network
+from skydome.skies.neural.files import shipped_network
+from skydome.skies.neural.network import PUBLISHED, RationalOutput
+from skydome.skies.neural.sky import NeuralSpectralSky
+from skydome.training.lessons import TEACHERS, held_out
+from skydome.training.recipes import RECIPES, Recipe
+from skydome.training.train import train
+from skydome.training.validation import relative_error, validated, validated_by_zenith
 
 PAGE = "neural.md"
 RGB = ("preetham", "hosek-wilkie", "hosek-wilkie-compact", "hosek-wilkie-deep")
@@ -76,7 +77,7 @@ def table_2():
     for name in RGB:
         network, about, even, _ = errors_row(name)
         test = held_out(TEACHERS[about["model"]])
-        from skydome.study.neural_validation import predicted
+        from skydome.training.validation import predicted
 
         up = test.directions[..., 2:3]
         wanted = 2 * np.pi * (test.light * up).mean(axis=1) / network.scale

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 import skydome as sd
 from skydome.light.spectrum import cie_1931
-from skydome.skies.sun_disc import MEAN_RADIUS, PUBLISHED_RADIUS, limb_darkening, limb_mean
+from skydome.skies.suns.sun_disc import MEAN_RADIUS, PUBLISHED_RADIUS, limb_darkening, limb_mean
 
 ELEVATIONS = (90, 60, 45, 20, 10, 5)
 TURBIDITIES = (2.0, 3.0, 6.0)

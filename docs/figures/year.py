@@ -6,8 +6,8 @@ import pvlib
 from PIL import Image
 
 import skydome as sd
-from skydome.study.figures import save_figure
-from skydome.study.year_figures import year_figure
+from skydome.figures.skies import save_figure
+from skydome.figures.years import year_figure
 
 HERE = Path(__file__).parent
 

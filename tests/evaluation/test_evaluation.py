@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.evaluation.evaluation import band_mean, compared, relative_rms
+from skydome.evaluation.measured_sky import MeasuredSky, turned_to_sun
+from skydome.evaluation.models import EvaluatedModel, fitted, model_of
+from skydome.evaluation.runs import evaluated
 from skydome.ground.quadrature import hemisphere
 from skydome.ground.units import deg
-from skydome.study.evaluated_models import EvaluatedModel, fitted, model_of
-from skydome.study.evaluated_runs import evaluated
-from skydome.study.evaluation import band_mean, compared, relative_rms
-from skydome.study.measured_sky import MeasuredSky, turned_to_sun
 
 HERE = Path(os.environ.get("SKYDOME_DATA", Path(__file__).parents[3] / "shared" / "data"))
 FILE = HERE / "kider2014_open.nc"
@@ -85,7 +85,7 @@ def test_the_symmetry_of_a_scan_gives_back_the_known_azimuth_correction(sky):
 
 
 def test_published_folder_is_read_clockwise_and_turned_to_the_sun(tmp_path):
-    from skydome.study.measured_sky import CORNELL
+    from skydome.evaluation.measured_sky import CORNELL
 
     sun = sd.sun_direction(CORNELL, "2013-05-27T09:32:51-04:00")
     sky = sd.HosekWilkie(sun, 3.0)

@@ -15,7 +15,7 @@ import pytest
 
 import skydome as sd
 from skydome.ground.exr import read_exr
-from skydome.skies.neural import NeuralSpectralSky
+from skydome.skies.neural.sky import NeuralSpectralSky
 
 SUN = sd.direction(200 * sd.deg, 35 * sd.deg)
 SPECTRAL = NeuralSpectralSky.load("hosek-wilkie-spectral", SUN, 3.0, albedo=0.3)

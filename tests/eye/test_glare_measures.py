@@ -8,10 +8,8 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.ground.hdr import write_hdr
-from skydome.light.colour import RADIANCE, rgb_from_xyz, xyz_from_rgb
-from skydome.scene.eye import plainly_seen
-from skydome.scene.glare import (
+from skydome.eye.eye import plainly_seen
+from skydome.eye.glare import (
     GlareSource,
     daylight_glare_probability,
     glare,
@@ -19,8 +17,10 @@ from skydome.scene.glare import (
     source_numbers,
     veiling_luminance,
 )
-from skydome.scene.linked_groups import linked, linked_pixels
-from skydome.scene.view import HalfSphere
+from skydome.eye.linked_groups import linked, linked_pixels
+from skydome.eye.view import HalfSphere
+from skydome.ground.hdr import write_hdr
+from skydome.light.colour import RADIANCE, rgb_from_xyz, xyz_from_rgb
 
 SIDE = 600
 

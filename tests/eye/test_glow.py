@@ -5,12 +5,12 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.bright_source import BrightSource, without_sources
-from skydome.scene.eye import Eye, halo_share, plainly_seen
-from skydome.scene.glow import Glow, disc_glow
-from skydome.scene.point_spread import MESOPIC, PHOTOPIC, CIETotal, StilesHolladay, cap
-from skydome.scene.streaks import Needles, halo_colours
-from skydome.scene.view import HalfSphere, View
+from skydome.eye.bright_source import BrightSource, without_sources
+from skydome.eye.eye import Eye, halo_share, plainly_seen
+from skydome.eye.glow import Glow, disc_glow
+from skydome.eye.point_spread import MESOPIC, PHOTOPIC, CIETotal, StilesHolladay, cap
+from skydome.eye.streaks import Needles, halo_colours
+from skydome.eye.view import HalfSphere, View
 
 SUN = sd.direction(180 * deg, 25 * deg)
 RADIUS = 0.2666 * deg

@@ -5,9 +5,9 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.bright_source import BrightSource
-from skydome.scene.lens_flare import LensFlare
-from skydome.scene.view import View
+from skydome.eye.bright_source import BrightSource
+from skydome.eye.lens_flare import LensFlare
+from skydome.eye.view import View
 
 VIEW = View(180 * deg, 20 * deg, 40 * deg, 256)
 

@@ -7,9 +7,9 @@ import pytest
 from scipy.integrate import quad
 
 from skydome import deg
+from skydome.eye import point_spread as spreads
+from skydome.eye.point_spread import MESOPIC, PHOTOPIC, SCOTOPIC, CIETotal, Spencer, StilesHolladay
 from skydome.ground.arrays import as_numpy
-from skydome.scene import point_spread as spreads
-from skydome.scene.point_spread import MESOPIC, PHOTOPIC, SCOTOPIC, CIETotal, Spencer, StilesHolladay
 
 EVERY = [
     *(PHOTOPIC, MESOPIC, SCOTOPIC, StilesHolladay(25.0), StilesHolladay(90.0)),

@@ -5,9 +5,9 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.eye import Eye
-from skydome.scene.point_spread import PHOTOPIC, CIETotal, StilesHolladay, core, corona, stiles_holladay
-from skydome.scene.view import View
+from skydome.eye.eye import Eye
+from skydome.eye.point_spread import PHOTOPIC, CIETotal, StilesHolladay, core, corona, stiles_holladay
+from skydome.eye.view import View
 
 SUN = sd.direction(180 * deg, 40 * deg)
 ANGLES = (1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0)

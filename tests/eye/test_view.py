@@ -5,7 +5,7 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.scene.view import HalfSphere, View
+from skydome.eye.view import HalfSphere, View
 
 FRAMES = [View(170 * deg, 20 * deg, 60 * deg, 100, 70), View(0.0, 90 * deg, 30 * deg, 40), HalfSphere(1.0, -0.4, 90)]
 

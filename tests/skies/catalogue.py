@@ -54,7 +54,7 @@ AIR = sd.Atmosphere.standard(aerosol_depth=0.15)
 
 def numbers():
     """A Hosek-Wilkie sky's letters at all suns and wavelengths, as a refitted sky has them; light in sr-1."""
-    from skydome.skies.refitted import Numbers
+    from skydome.skies.physical.refitted import Numbers
 
     letters = [0.02, -1.1, -0.3, 0.5, 2.0, -3.0, 0.2, 0.05, 0.6, 0.3]
     elevations, wavelengths = np.radians([1.0, 20.0, 90.0]), np.array([380.0, 580.0, 780.0])

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.skies.formula.perez_formula import evaluate
 from skydome.skies.hosek_wilkie import band_weights, interpolated_coefficients
-from skydome.skies.perez_formula import evaluate
-from skydome.skies.sun_disc import PUBLISHED_RADIUS, limb_darkening
+from skydome.skies.suns.sun_disc import PUBLISHED_RADIUS, limb_darkening
 
 GOLDEN = Path(__file__).parent.parent / "golden"
 

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 import skydome as sd
 from skydome.ground.quadrature import hemisphere
-from skydome.skies.perez_formula import horizontal_integral
-from skydome.skies.sun_disc import PUBLISHED_RADIUS, limb_mean
+from skydome.skies.formula.perez_formula import horizontal_integral
+from skydome.skies.suns.sun_disc import PUBLISHED_RADIUS, limb_mean
 
 
 def test_uniform_sky_gives_pi():
@@ -134,8 +134,8 @@ def test_preetham_spectrum_keeps_its_luminance():
 
 
 def test_horizontal_integral_of_every_perez_bin_is_that_of_a_dense_rule():
+    from skydome.skies.formula.perez_formula import evaluate, from_perez, view_geometry
     from skydome.skies.perez_all_weather import distribution_letters
-    from skydome.skies.perez_formula import evaluate, from_perez, view_geometry
 
     directions, weights = hemisphere(1000, 1000)
     for epsilon in (1.0, 1.1, 1.3, 1.7, 2.2, 3.5, 5.0, 8.0):

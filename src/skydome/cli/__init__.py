@@ -1,0 +1,14 @@
+"""The command line's own parts: options, doors, printing; the commands are in `commands/`.
+
+- main              The command `skydome`. Commands import what they need when they run, so that help is quick
+- options           What the commands ask for, each option written once
+- moment            The place, time and sun that the options ask for
+- models            The sky models by name, which class, which options it takes, its usual level
+- physical_models   The skies from first principles as models of the command line, what air, how long to trace
+- scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
+- numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
+- printing          Tables and JSON on stdout, progress on stderr
+- animate_frames    The work of `skydome animate`, read, train, write frames, each step kept
+- daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
+- commands/         One command a file
+"""

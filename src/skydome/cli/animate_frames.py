@@ -14,8 +14,8 @@ import numpy as np
 from skydome.ground.writing import appearing
 
 if TYPE_CHECKING:
-    from skydome.skies.network import Network
-    from skydome.study.captures import Capture
+    from skydome.captures.captures import Capture
+    from skydome.skies.neural.network import Network
     from skydome.sun.place import Place
 
 Tell = Callable[[str, float], None]
@@ -66,8 +66,8 @@ def progress_bar() -> Iterator[Tell]:
 
 def run(job: Job) -> dict[str, Any]:
     """Write the frames that are not there yet; facts about the animation."""
-    from skydome.study.animation import Animation
-    from skydome.study.captures import read_captures
+    from skydome.captures.animation import Animation
+    from skydome.captures.captures import read_captures
 
     with progress_bar() as tell:
         captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)
@@ -114,8 +114,8 @@ def begin(job: Job) -> None:
 
 def trained(job: Job, captures: "list[Capture]", tell: Tell) -> "Network":
     """The day's network: read where it was kept, else trained and kept."""
-    from skydome.skies.network_files import load_network, save_network
-    from skydome.study.capture_training import train_captures
+    from skydome.captures.capture_training import train_captures
+    from skydome.skies.neural.files import load_network, save_network
 
     path = job.output / "day.safetensors"
     if path.exists():
@@ -127,7 +127,7 @@ def trained(job: Job, captures: "list[Capture]", tell: Tell) -> "Network":
 
 def write_frames(job: Job, animation: Any, tell: Tell) -> tuple[int, float | None]:
     """Write what is missing: how many frames that were, and the largest change over the median one of those made."""
-    from skydome.study.animation import change, roughest
+    from skydome.captures.animation import change, roughest
 
     times = np.linspace(animation.times[0], animation.times[-1], job.frames)
     written, changes, before = 0, [], None
@@ -146,8 +146,8 @@ def write_frames(job: Job, animation: Any, tell: Tell) -> tuple[int, float | Non
 
 def write_masks(job: Job) -> dict[str, Any]:
     """Write a mask beside each capture that has none: white where sky was found."""
-    from skydome.study.captures import MASK, read_captures
-    from skydome.study.sky_mask import write_mask
+    from skydome.captures.captures import MASK, read_captures
+    from skydome.captures.sky_mask import write_mask
 
     with progress_bar() as tell:
         captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)

@@ -75,11 +75,12 @@ def parsed(arguments: list[str]) -> Asked:
 
 def convert(asked: Asked) -> None:
     """Read the tape, write the matrix."""
-    from skydome.year import gendaymtx, matrix_text
-    from skydome.year.gendaymtx_sun import Sun
+    from skydome.years.gendaymtx import matrix as gendaymtx
+    from skydome.years.gendaymtx import text as matrix_text
+    from skydome.years.gendaymtx.sun import Sun
 
     if asked.path.lower().endswith(".epw"):
-        from skydome.year.weather import read_weather
+        from skydome.years.weather.weather import read_weather
 
         tape = gendaymtx.tape_from(read_weather(asked.path))
     else:

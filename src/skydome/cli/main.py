@@ -7,21 +7,21 @@ import typer
 from typer.core import TyperGroup
 
 from skydome import __version__
-from skydome.cli.animate import animate
-from skydome.cli.convert import convert
-from skydome.cli.evaluate import evaluate
-from skydome.cli.fit import fit
-from skydome.cli.glare import glare
-from skydome.cli.illuminance import illuminance
-from skydome.cli.list_models import models
-from skydome.cli.plot import plot
-from skydome.cli.render import light, render
-from skydome.cli.shader import shader
-from skydome.cli.simulate import simulate
-from skydome.cli.sun import sun
-from skydome.cli.terrain import terrain
-from skydome.cli.train import train
-from skydome.cli.year import year
+from skydome.cli.commands.animate import animate
+from skydome.cli.commands.convert import convert
+from skydome.cli.commands.evaluate import evaluate
+from skydome.cli.commands.fit import fit
+from skydome.cli.commands.glare import glare
+from skydome.cli.commands.illuminance import illuminance
+from skydome.cli.commands.list_models import models
+from skydome.cli.commands.plot import plot
+from skydome.cli.commands.render import light, render
+from skydome.cli.commands.shader import shader
+from skydome.cli.commands.simulate import simulate
+from skydome.cli.commands.sun import sun
+from skydome.cli.commands.terrain import terrain
+from skydome.cli.commands.train import train
+from skydome.cli.commands.year import year
 
 BAD_INPUT, INTERRUPTED = 2, 130
 

@@ -147,14 +147,14 @@ class NeuralModel(Model):
 
     def parameters(self, options: SkyOptions) -> dict[str, Any]:
         """The class's parameters, with the network itself."""
-        from skydome.skies.neural import read_network
+        from skydome.skies.neural.sky import read_network
 
         return super().parameters(options) | {"network": read_network(self.fixed["network"])}
 
 
 def model_of_file(path: str) -> Model:
     """The model of a network file of the user's own (`skydome train`); ValueError for what is none."""
-    from skydome.skies.network_files import load_network
+    from skydome.skies.neural.files import load_network
 
     bands = load_network(path)[0].bands
     kind, takes = ("NeuralSpectralSky", ("turbidity", "albedo")) if bands else ("NeuralSky", ("turbidity",))

@@ -58,7 +58,7 @@ class Moment:
 def moment_of(options: SunOptions) -> Moment:
     """The sun by --sun, or by --place and --time; ValueError where neither or both are given."""
     import skydome as sd
-    from skydome.skies.sun_disc import MEAN_RADIUS
+    from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
     if options.sun is not None:
         if options.place or options.time:

@@ -10,8 +10,8 @@ from skydome.cli.options import SkyOptions
 
 if TYPE_CHECKING:
     from skydome.air.atmosphere import Atmosphere
-    from skydome.skies.held_sky import HeldSky
-    from skydome.skies.path_traced import PathTraced
+    from skydome.skies.path_tracing.sky import PathTraced
+    from skydome.skies.physical.held import HeldSky
     from skydome.skies.sky import Sky
 
 USUAL_ERROR = 0.01
@@ -29,7 +29,7 @@ class PhysicalModel(Model):
 
     def held(self, sky: Any, options: SkyOptions) -> "HeldSky":
         """The sky's colours in a table."""
-        from skydome.skies.held_sky import held
+        from skydome.skies.physical.held import held
 
         return held(sky)
 
@@ -42,7 +42,7 @@ class TracedModel(PhysicalModel):
         """The sky's colours, traced toward a table's nodes."""
         import numpy as np
 
-        from skydome.skies.held_sky import held, node_directions
+        from skydome.skies.physical.held import held, node_directions
 
         bands = np.arange(380.0, 781.0, 20.0)
         wanted = USUAL_ERROR if options.until is None else relative_error(options.until)

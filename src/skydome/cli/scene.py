@@ -9,7 +9,7 @@ from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
     from skydome.skies.sky import ColourSky, Sky
-    from skydome.skies.sun_disc import SunDisc
+    from skydome.skies.suns.sun_disc import SunDisc
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.sky import ColourSky, Sky, SpectralSky
-from skydome.skies.sun_disc import SunDisc
+from skydome.skies.suns.sun_disc import SunDisc
 
 RINGS, COLUMNS = 96, 192
 

@@ -14,8 +14,8 @@ from skydome.ground.directions import azimuth, zenith_angle
 from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
 from skydome.skies.combination import Combination
-from skydome.skies.fast_light import shared
-from skydome.skies.fast_network import (
+from skydome.skies.formula.fast import shared
+from skydome.skies.neural.fast import (
     LEAST_DIRECTIONS,
     compiled_kernel,
     prepared,
@@ -23,8 +23,8 @@ from skydome.skies.fast_network import (
     single,
     through,
 )
-from skydome.skies.network_folding import INPUTS, Folded, steadied
-from skydome.skies.neural import NeuralForm
+from skydome.skies.neural.folding import INPUTS, Folded, steadied
+from skydome.skies.neural.sky import NeuralForm
 from skydome.skies.sky import Sky
 
 TEXELS = 1 << 13

@@ -13,9 +13,9 @@ from skydome.light.colour import RGBSpace, rgb_from_xyz, xyz_from_xyY
 from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.combination import Combination
 from skydome.skies.daylight_sky import Daylight
-from skydome.skies.fast_light import Light, chosen, many_skies
-from skydome.skies.fast_network import light_by_kernel, light_by_numpy
-from skydome.skies.formula_sky import ColourFormulaSky, FormulaSky
+from skydome.skies.formula.fast import Light, chosen, many_skies
+from skydome.skies.formula.formula_sky import ColourFormulaSky, FormulaSky
+from skydome.skies.neural.fast import light_by_kernel, light_by_numpy
 from skydome.skies.sky import ColourSky, Sky
 
 CHUNK = 1 << 17

@@ -11,10 +11,10 @@ from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
-from skydome.skies.fast_light import checked_out
+from skydome.skies.formula.fast import checked_out
 from skydome.skies.hosek_wilkie import channel_albedo
 from skydome.skies.sky import ColourSky, Sky
-from skydome.skies.sun_disc import SunDisc
+from skydome.skies.suns.sun_disc import SunDisc
 
 POINTS_PER_TEXEL = 4096
 LEAST_POINTS, MOST_POINTS = 4096, 1 << 18

@@ -9,7 +9,7 @@ from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.ground.arrays import Array, as_numpy, constant
 from skydome.ground.directions import angle_between, azimuth, checked_directions, direction, tangent_frame
 from skydome.skies.sky import Sky
-from skydome.skies.sun_disc import SunDisc
+from skydome.skies.suns.sun_disc import SunDisc
 
 RINGS, COLUMNS = 128, 512
 """Cells of the hemisphere, equal in elevation and azimuth: 0.7 degrees at the horizon."""

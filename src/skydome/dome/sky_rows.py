@@ -13,8 +13,8 @@ import numpy as np
 
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.maps.equirectangular import Equirectangular
-from skydome.skies.fast_light import Light, prepared, shared, smaller_with
-from skydome.skies.perez_formula import C, D, I, R, evaluate, gradation
+from skydome.skies.formula.fast import Light, prepared, shared, smaller_with
+from skydome.skies.formula.perez_formula import C, D, I, R, evaluate, gradation
 
 BLOCK = 2048
 """Columns in a segment at most: the kernels' scratch memory."""

@@ -7,7 +7,7 @@ from skydome.ground.arrays import as_numpy
 from skydome.ground.units import LUMINOUS_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
 from skydome.skies.daylight_sky import Daylight
-from skydome.skies.formula_sky import FormulaSky
+from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.hosek_wilkie import HosekWilkie, HosekWilkieRGB
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
@@ -17,7 +17,7 @@ Lines = list[tuple[str, str]]
 
 
 def channel_function(language: Language, offset: float, floor: float) -> str:
-    """The formula for one channel: `skydome.skies.perez_formula.evaluate` in another language."""
+    """The formula for one channel: `skydome.skies.formula.perez_formula.evaluate` in another language."""
     lines = [
         ("cosine", "1.0 - 2.0 * half_square"),
         ("square", "cosine * cosine"),

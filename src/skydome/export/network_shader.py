@@ -3,9 +3,9 @@
 from skydome.export.formula_shader import mixed, weighted
 from skydome.export.shader_languages import Language, number
 from skydome.light.colour import RGBSpace
-from skydome.skies.network import ExponentialOutput
-from skydome.skies.network_folding import Folded, steadied
-from skydome.skies.neural import NeuralForm, NeuralSpectralSky
+from skydome.skies.neural.folding import Folded, steadied
+from skydome.skies.neural.network import ExponentialOutput
+from skydome.skies.neural.sky import NeuralForm, NeuralSpectralSky
 
 Lines = list[tuple[str, str]]
 INPUTS = {

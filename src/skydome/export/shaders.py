@@ -11,7 +11,7 @@ from skydome.export.network_shader import bands_shader, network_shader
 from skydome.export.shader_languages import language
 from skydome.ground.arrays import as_numpy
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.skies.neural import NeuralForm, NeuralSpectralSky
+from skydome.skies.neural.sky import NeuralForm, NeuralSpectralSky
 from skydome.skies.sky import Sky
 
 

@@ -1,0 +1,20 @@
+"""The skies: one ladder, one file a model.
+
+- sky                The ladder of skies, luminance, then colour, then spectrum
+- combination        Sums of skies: sky and sun, clear and overcast, one sky made brighter
+- validity           Where a model holds: ranges as data, and what to do outside them
+- uniform            Skies without a sun: the uniform sky and Moon and Spencer's overcast sky
+- cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
+- perez              The Perez sky from five letters
+- perez_all_weather  Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution
+- preetham           Preetham, Shirley and Smits's clear sky
+- hosek_wilkie       Hosek and Wilkie's clear sky: nine numbers for each band or channel, fitted to a path tracer
+- daylight_sky       Colour for skies that know luminance only, given on purpose
+- captured           The sky of a photograph: an environment map that answers as every sky does
+- series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
+- formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)
+- neural/            Neural skies: small networks from sun and view to light (Satilmis et al. 2017)
+- physical/          Skies from first principles, and what makes them quick
+- path_tracing/      The sky by brute force: paths of light through spherical shells of air
+- suns/              The sun's disc, by its published tables or through a given air
+"""

@@ -13,7 +13,7 @@ from skydome.maps.lookup import equirectangular
 from skydome.maps.projections import Equirectangular
 from skydome.skies.combination import Combination, combine
 from skydome.skies.sky import ColourSky
-from skydome.skies.sun_disc import SunDisc
+from skydome.skies.suns.sun_disc import SunDisc
 
 GLARE = np.radians(2.5)
 """Angle about the sun within which a captured sun's light is spread: lens and texels, not the disc alone."""

@@ -8,9 +8,9 @@ import numpy as np
 from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
 from skydome.ground.tables import columns
-from skydome.skies.formula_sky import LuminanceFormulaSky
-from skydome.skies.level import levelled, require_one_level
-from skydome.skies.perez_formula import from_perez, view_geometry
+from skydome.skies.formula.formula_sky import LuminanceFormulaSky
+from skydome.skies.formula.level import levelled, require_one_level
+from skydome.skies.formula.perez_formula import from_perez, view_geometry
 from skydome.skies.sky import Sky
 
 

@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from skydome.ground.arrays import Array, constant, floating
-from skydome.skies.formula_sky import LuminanceFormulaSky
-from skydome.skies.level import levelled, require_one_level
-from skydome.skies.perez_formula import from_perez
+from skydome.skies.formula.formula_sky import LuminanceFormulaSky
+from skydome.skies.formula.level import levelled, require_one_level
+from skydome.skies.formula.perez_formula import from_perez
 from skydome.skies.validity import Range
 
 

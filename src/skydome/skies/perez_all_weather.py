@@ -16,9 +16,9 @@ from skydome.air.optical_mass import kasten_1966
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
-from skydome.skies.formula_sky import LuminanceFormulaSky
-from skydome.skies.level import levelled
-from skydome.skies.perez_formula import COSINE_FLOOR, from_perez
+from skydome.skies.formula.formula_sky import LuminanceFormulaSky
+from skydome.skies.formula.level import levelled
+from skydome.skies.formula.perez_formula import COSINE_FLOOR, from_perez
 from skydome.skies.validity import Range
 
 SOLAR_CONSTANT = 1367.0

@@ -17,9 +17,9 @@ from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
 from skydome.ground.writing import appearing
 from skydome.light.daylight import daylight_weights
-from skydome.skies.formula_sky import ColourFormulaSky, Recipe
-from skydome.skies.perez_formula import evaluate, from_perez
-from skydome.skies.quantity import Quantity
+from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
+from skydome.skies.formula.perez_formula import evaluate, from_perez
+from skydome.skies.formula.quantity import Quantity
 from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range
 
@@ -171,7 +171,7 @@ class Preetham(ColourFormulaSky, SpectralSky):
 
 @dataclass(frozen=True, eq=False)
 class RefittedPreetham(Preetham):
-    """Preetham's model with a `table` of numbers of one's own (by `skydome.study.preetham_fit`).
+    """Preetham's model with a `table` of numbers of one's own (by `skydome.own_air.preetham_fit`).
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)

@@ -6,8 +6,8 @@ import numpy as np
 
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import checked_directions
-from skydome.skies.fast_light import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
-from skydome.skies.formula_sky import FormulaSky, Recipe
+from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
+from skydome.skies.formula.formula_sky import FormulaSky, Recipe
 from skydome.skies.sky import Sky
 
 VALUES_AT_A_TIME = 1 << 18

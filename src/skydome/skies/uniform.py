@@ -7,7 +7,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
-from skydome.skies.level import require_one_level
+from skydome.skies.formula.level import require_one_level
 from skydome.skies.sky import Sky
 from skydome.skies.validity import Range
 

@@ -1,0 +1,18 @@
+"""One command a file.
+
+- render       `skydome render`, an environment map of the sky in a file, `skydome light`
+- plot         `skydome plot`: the sky's luminance as a round picture, looking up
+- sun          `skydome sun`: where the sun stands and when it rises, sets and leaves the sky dark
+- list_models  `skydome models`: every model with its parameters, ranges, rung and source, as the classes tell them
+- convert      `skydome convert`: a map from one renderer's layout and file format to another's
+- shader       `skydome shader`: a sky as a function of direction in a shading language
+- glare        `skydome glare`: what an eye, or a camera, makes of a map's sun, side by side with the bare view
+- illuminance  `skydome illuminance`: the light on a plane, tilted or not, under an open or an obstructed sky
+- year         `skydome year`: a weather file in, a year of skies out; or many sites on a cluster
+- terrain      `skydome terrain`: a picture of real land under a sky, with the air in between
+- evaluate     `skydome evaluate`: sky models against a measured sky
+- simulate     `skydome simulate`: a grid of simulated skies, written to a Zarr store
+- fit          `skydome fit`: from a store of simulated skies to the tables of a sky model of one's own
+- train        `skydome train`: a small neural network that learns a sky model
+- animate      `skydome animate`: smooth frames between captured skies
+"""

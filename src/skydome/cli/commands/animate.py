@@ -1,0 +1,46 @@
+"""`skydome animate`: smooth frames between captured skies."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+from typer import Argument, Option
+
+from skydome.cli.options import AsJson, Half
+from skydome.cli.printing import show
+
+Layout = Annotated[
+    str, Option(help="How the maps lie in their files: latlong, angular, mirror-ball, fisheye or fisheye-equisolid.")
+]
+
+
+def animate(
+    folder: Annotated[Path, Argument(help="A folder of .exr or .hdr captures of one day.", metavar="CAPTURES")],
+    output: Annotated[Path, Option("--output", "-o", help="The folder for the frames; made if it is not there.")],
+    frames: Annotated[int, Option(help="How many frames, from the first capture to the last.")] = 240,
+    layout: Layout = "latlong",
+    place: Annotated[
+        str | None, Option(metavar="LAT,LON[,ALT]", help="Compute the sun; the maps are turned to true north.")
+    ] = None,
+    zone: Annotated[str | None, Option(metavar="NAME", help="IANA zone of times in file names.")] = None,
+    horizon: Annotated[float, Option(help="Elevation below which nothing is sky, degrees.")] = 0.0,
+    masks: Annotated[
+        bool, Option("--masks", help="Write each capture's sky mask beside it as PNG to edit, and stop.")
+    ] = False,
+    seed: Annotated[int, Option(help="Seed of the training.")] = 0,
+    half: Half = True,
+    as_json: AsJson = False,
+) -> None:
+    """Train a neural sky on captures of a day and write smooth frames between them; goes on where it was stopped."""
+    from math import radians
+
+    import skydome as sd
+    from skydome.captures.captures import layout_named
+    from skydome.cli.animate_frames import Job, run, write_masks
+
+    if frames < 2:
+        raise ValueError(f"frames must be at least 2, got {frames}")
+    layout_named(layout)
+    where = None if place is None else sd.Place.parse(place)
+    job = Job(folder, output, frames, layout, where, zone, radians(horizon), seed, half)
+    facts: dict[str, Any] = write_masks(job) if masks else run(job)
+    show(facts, {name: str(value) for name, value in facts.items()}, as_json)

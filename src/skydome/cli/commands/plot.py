@@ -1,0 +1,62 @@
+"""`skydome plot`: the sky's luminance as a round picture, looking up."""
+
+from datetime import datetime, timedelta
+from pathlib import Path
+from textwrap import wrap
+from typing import Annotated, Any
+
+from typer import Option
+
+from skydome.cli.moment import Moment, place_text
+from skydome.cli.numbers_of_light import light_facts, notes_row, parameters_text
+from skydome.cli.options import AsJson, SkyOptions, taking
+from skydome.cli.printing import print_json, print_table
+from skydome.cli.scene import scene_of
+
+PATH_STEP = timedelta(minutes=5)
+
+
+@taking(SkyOptions)
+def plot(
+    options: SkyOptions,
+    output: Annotated[Path, Option("--output", "-o", help="plot.png, plot.svg or plot.pdf.")],
+    as_json: AsJson = False,
+) -> None:
+    """Plot the sky's luminance looking up: north up, east at the left; with the sun's path of the day."""
+    from skydome.figures.skies import save_figure, sky_figure
+
+    scene = scene_of(options)
+    moment = scene.moment
+    path = None if moment is None else day_path(moment)
+    lines = wrap(parameters_text(scene.sky.parameters()), 90)
+    if moment is not None:
+        lines.append(caption(moment))
+    figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
+    save_figure(figure, output)
+    facts = light_facts(scene) | {"file": str(output), "bytes": output.stat().st_size}
+    if as_json:
+        print_json(facts)
+    else:
+        seen = "looking up: north up, east at the left"
+        print_table({"file": str(output), "plot": seen} | notes_row(facts["notes"]))
+
+
+def caption(moment: Moment) -> str:
+    """Place, time and the sun's angles in a line."""
+    parts = []
+    if moment.place is not None and moment.time is not None:
+        parts += [place_text(**vars(moment.place)), moment.time.isoformat(" ", "minutes")]
+    return ", ".join([*parts, f"sun at azimuth {moment.azimuth:.1f}°, elevation {moment.elevation:.1f}°"])
+
+
+def day_path(moment: Moment) -> tuple[Any, Any, list[str]] | None:
+    """Directions of the sun through the local day (N, 3), those at whole hours (24, 3) and their labels."""
+    import skydome as sd
+
+    if moment.place is None or moment.time is None:
+        return None
+    start = moment.time.replace(hour=0, minute=0, second=0, microsecond=0)
+    steps = [start + k * PATH_STEP for k in range(24 * 12 + 1)]
+    hours: list[datetime] = steps[:-1:12]
+    along = sd.sun_direction(moment.place, steps)
+    return along, along[:-1:12], [f"{hour.hour}" for hour in hours]

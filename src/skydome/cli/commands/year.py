@@ -1,0 +1,171 @@
+"""`skydome year`: a weather file in, a year of skies out; or many sites on a cluster."""
+
+import warnings
+from pathlib import Path
+from typing import Annotated, Any
+
+from typer import Argument, Option
+
+from skydome.cli.options import AsJson, numbers
+from skydome.cli.printing import busy, print_json, print_table
+
+ENDINGS = (".zarr", ".nc", ".mtx")
+
+
+def year(
+    weather: Annotated[Path, Argument(help="site.epw, site.wea, a TMY3 .csv or .tm2; or sites.csv (name,file).")],
+    output: Annotated[
+        Path | None, Option("--output", "-o", help="year.zarr, year.nc or year.mtx (Radiance, floats).")
+    ] = None,
+    patches: Annotated[str, Option(help="tregenza, reinhart:N or equal-area:N.")] = "tregenza",
+    compat: Annotated[str, Option(metavar="paper|gendaylit|gendaymtx", help="Whose rules.")] = "paper",
+    smooth: Annotated[bool, Option("--smooth", help="Blend neighbouring bins of clearness (ours).")] = False,
+    colour: Annotated[
+        str | None, Option(metavar="preetham|hosek-wilkie", help="The clear sky that lends its colours.")
+    ] = None,
+    turbidity: Annotated[float, Option(help="Haze of that clear sky.")] = 3.0,
+    wavelengths: Annotated[
+        str | None, Option(metavar="FROM,TO,STEP", help="Spectra too, nm, with --colour: 380,720,20.")
+    ] = None,
+    ascii_text: Annotated[bool, Option("--ascii", help="Write .mtx as text.")] = False,
+    sun_in_patch: Annotated[bool, Option("--sun-in-patch", help="Put the sun's light into .mtx too.")] = False,
+    suns: Annotated[Path | None, Option(help="Write the suns as Radiance sources: suns.rad.")] = None,
+    plot: Annotated[Path | None, Option(help="Heat map and monthly domes: year.png, .svg or .pdf.")] = None,
+    weather_folder: Annotated[Path | None, Option(help="Where the files of sites.csv lie.")] = None,
+    scheduler: Annotated[str | None, Option(metavar="ADDRESS", help="A Dask scheduler, for sites.csv.")] = None,
+    workers: Annotated[int, Option(help="Worker processes here, where no scheduler is given.")] = 2,
+    as_json: AsJson = False,
+) -> None:
+    """Make the skies of a year from a weather file, on patches of the dome."""
+    choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
+    choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
+    check_output(output)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        if weather.suffix.lower() == ".csv" and is_sites(weather):
+            choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
+            facts = many(weather, output, weather_folder, scheduler, workers, choices)
+        else:
+            facts = single(weather, choices, output, ascii_text, sun_in_patch, suns, plot)
+    notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
+    facts["notes"] = facts.get("notes", []) + notes
+    if as_json:
+        print_json(facts)
+    else:
+        rows = {name: text(value) for name, value in facts.items() if value not in (None, [], {})}
+        print_table(rows)
+    if facts.get("failed"):
+        raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
+
+
+def check_output(output: Path | None) -> None:
+    """ValueError for another ending, before any work."""
+    if output is not None and output.suffix not in ENDINGS:
+        raise ValueError(f"-o must end in {', '.join(ENDINGS)}, got {output.name!r}")
+    if output is not None and not output.absolute().parent.is_dir():
+        raise FileNotFoundError(f"the folder to write to must exist, got {output.absolute().parent}")
+
+
+def steps(text: str) -> list[float]:
+    """Wavelengths, nm, from FROM,TO,STEP."""
+    low, high, step = numbers(text, 3, "--wavelengths", "380,720,20")
+    if not 0 < low < high or not 0 < step <= high - low:
+        raise ValueError(f"--wavelengths must be FROM,TO,STEP with FROM < TO, got {text!r}")
+    return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
+
+
+def is_sites(path: Path) -> bool:
+    """True for a table of sites, False for a TMY3 file."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        cells = [cell.strip() for cell in file.readline().split(",")]
+    return "file" in cells and "name" in cells
+
+
+def single(
+    path: Path,
+    choices: dict[str, Any],
+    output: Path | None,
+    ascii_text: bool,
+    sun_in_patch: bool,
+    suns: Path | None,
+    plot: Path | None,
+) -> dict[str, Any]:
+    """One site's year, written and drawn; the facts to print."""
+    from skydome.years.skies.series import year as year_of
+    from skydome.years.skies.status import counts
+    from skydome.years.stores.radiance_files import write_matrix, write_suns
+    from skydome.years.stores.stores import write_dataset, write_year
+    from skydome.years.weather.weather import read_weather
+
+    with busy("a year of skies", long=True):
+        weather = read_weather(path)
+        streamed = output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx"
+        plain = {name: choices[name] for name in ("patches", "compat", "smooth")}
+        data = year_of(weather, **(plain if streamed else choices))
+        if output is not None and streamed:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # told by the first pass
+                write_year(weather, output, **choices)
+        elif output is not None and output.suffix == ".mtx":
+            write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
+        elif output is not None:
+            write_dataset(data, output)
+        if suns is not None:
+            write_suns(data, suns)
+        if plot is not None:
+            from skydome.figures.skies import save_figure
+            from skydome.figures.years import year_figure
+
+            save_figure(year_figure(data), plot)
+    facts = {"site": data.attrs["title"], "place": place_facts(data), "hours": data.sizes["time"]}
+    facts |= {"patches": data.sizes["patch"], "status": counts(data["status"].values)}
+    diffuse = data["diffuse_horizontal_illuminance"]
+    facts["mean_diffuse_horizontal_lx"] = round(float(diffuse.where(data["lit_share"] > 0).mean()), 1)
+    files = [str(file) for file in (output, suns, plot) if file is not None]
+    return facts | {"files": files}
+
+
+def place_facts(data: Any) -> dict[str, float]:
+    """Where the year is."""
+    return {name: float(data.attrs[name]) for name in ("latitude", "longitude", "altitude", "utc_offset")}
+
+
+def many(
+    path: Path,
+    output: Path | None,
+    folder: Path | None,
+    scheduler: str | None,
+    workers: int,
+    choices: dict[str, Any],
+) -> dict[str, Any]:
+    """The years of all sites in one Zarr store, with progress; the facts to print."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from skydome.years.stores.sites import read_sites, run_sites
+
+    if output is None or output.suffix != ".zarr":
+        raise ValueError("many sites need -o skies.zarr")
+    sites, bad = read_sites(path, folder)
+    if not sites:
+        raise ValueError(f"{path.name} has no usable site: {'; '.join(bad) or 'it is empty'}")
+    with Progress(console=Console(stderr=True)) as bar:
+        task = bar.add_task("site-years", total=len(sites))
+        told = run_sites(
+            output, sites, scheduler, workers, lambda done, total: bar.update(task, completed=done), **choices
+        )
+    failed = [line for line in told if "warning:" not in line]
+    return {
+        "sites": len(sites),
+        "done": len(sites) - len(failed),
+        "failed": len(failed) + len(bad),
+        "files": [str(output)],
+        "notes": bad + told,
+    }
+
+
+def text(value: Any) -> str:
+    """A fact for people."""
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {item:g}" for name, item in value.items())
+    return "\n".join(map(str, value)) if isinstance(value, list) else str(value)

@@ -1,0 +1,5 @@
+"""Pictures of numbers: domes and years.
+
+- skies  Figures of skies: luminance in false colour, looking up
+- years  Figures of a year of skies: hours by days, and the mean dome of each month
+"""

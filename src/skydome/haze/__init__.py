@@ -1,0 +1,11 @@
+"""The colour of distance: what the air between takes from far objects, and adds to them.
+
+- aerial_perspective  The colour of distance: what air takes from the light of a far object, and what light it adds
+- light               The light that gas and haze at the ground scatter toward a viewer
+- integrals           The integrals of aerial perspective, extinction along a ray
+- channels            The channels in which aerial perspective is computed: wavelengths, or red, green and blue
+- fast                The tables that the Numba kernel of aerial perspective reads
+- kernel              Aerial perspective of RGB images in float32, the second form of `FewNodes(8)`
+- published           The published closed form of aerial perspective, and quadrature to judge it by
+- ward_larson         Ward-Larson's fog, the older form of aerial perspective, as Preetham 1999
+"""

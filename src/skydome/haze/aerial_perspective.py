@@ -1,0 +1,228 @@
+"""The colour of distance: what air takes from the light of a far object, and what light it adds (Preetham 1999, 4)."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from skydome.air.scattering import concentration, gas_total, haze_total
+from skydome.dome.integrals import discs_and_rest
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.directions import checked_directions
+from skydome.haze.channels import RedGreenBlue, Wavelengths
+from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, optical_depth
+from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
+from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.combination import combine
+from skydome.skies.sky import Sky
+
+MANY = 500
+"""From so many directions on, the sky's scattered light is read from a table (error .2 %)."""
+
+MANY_PIXELS = 10_000
+"""From so many rays on, RGB in NumPy is computed by the Numba kernel, if Numba is installed (float32, error .2 %)."""
+
+KEPT_TURBIDITY = 2.0
+"""The turbidity at which scattered light is kept; that of haze is proportional to its concentration."""
+
+LOWEST, FARTHEST = -5000.0, 1e9
+"""Least height of a viewer above the ground to which the turbidity belongs, m, and largest height and distance."""
+
+
+class AerialPerspective(NamedTuple):
+    """What air does to the light of an object: seen = object x `transmittance` + `inscattered`; each (..., C)."""
+
+    transmittance: Array
+    inscattered: Array
+
+    def seen(self, light: Array) -> Array:
+        """The light (..., C) of an object as it reaches the viewer."""
+        return light * self.transmittance + self.inscattered
+
+
+@dataclass(frozen=True, eq=False)
+class AirLight:
+    """The air of one sky, ready for many rays. See `aerial_perspective` for the parameters.
+
+    `height` is measured above the ground to which `turbidity` belongs.
+    """
+
+    sky: Sky
+    wavelengths: Any = None
+    turbidity: Any = None
+    ground_albedo: float = 0.0
+    method: Integration = field(default_factory=FewNodes)
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        if np.ndim(getattr(self.parts[1][0], "sun", np.zeros(3)) if self.parts[1] else np.zeros(3)) != 1:
+            raise ValueError("aerial perspective needs a sky with one sun, of shape (3,); loop over the others")
+        if not 0 <= self.ground_albedo <= 1:
+            raise ValueError(f"ground_albedo must lie in [0, 1], got {self.ground_albedo}")
+        if not isinstance(self.method, Integration):
+            raise TypeError(f"method must be an Integration such as FewNodes(), got {type(self.method).__name__}")
+        if self.wavelengths is not None:
+            Wavelengths(checked_wavelengths(self.wavelengths))
+        _ = self.haze_turbidity
+
+    @cached_property
+    def parts(self) -> tuple[list[Any], list[Sky]]:
+        """The sun's discs with their factors, and the other parts of the sky."""
+        return discs_and_rest(self.sky)
+
+    @cached_property
+    def channels(self) -> Wavelengths | RedGreenBlue:
+        """Wavelengths if given, else RGB."""
+        return RedGreenBlue() if self.wavelengths is None else Wavelengths(checked_wavelengths(self.wavelengths))
+
+    @cached_property
+    def haze_turbidity(self) -> Any:
+        """The turbidity given, or that of the sky; ValueError where neither is."""
+        own = (getattr(part, "turbidity", None) for part in self.sky.parts)
+        value = self.turbidity if self.turbidity is not None else next((t for t in own if t is not None), None)
+        if value is None:
+            raise ValueError(f"{type(self.sky).__name__} has no turbidity; give turbidity=...")
+        if self.turbidity is None and np.ndim(value) != 0:
+            raise ValueError(f"the sky must have one turbidity, got shape {np.shape(value)}; loop over its skies")
+        value = floating(value) if np.ndim(value) else value
+        known = as_numpy(value) if is_concrete(value) else np.ones(1)
+        if not ((known >= 1) & (known <= 64)).all():
+            raise ValueError(f"turbidity must lie in [1, 64], got {np.min(known):g} to {np.max(known):g}")
+        return value
+
+    @property
+    def haze_scale(self) -> Any:
+        """How much more haze there is than in the air for which the scattered light is kept, shape of the turbidity."""
+        return concentration(self.haze_turbidity) / concentration(KEPT_TURBIDITY)
+
+    @cached_property
+    def like(self) -> Array:
+        """An array of the library in which the sky's light is computed: that of its sun."""
+        return next((floating(part.sun) for part in self.sky.parts if hasattr(part, "sun")), np.zeros(3))
+
+    def coefficients(self, like: Array) -> Coefficients:
+        """Total scattering of the channels and at 550 nm."""
+        t = self.haze_turbidity
+        haze, gas = self.channels.coefficients(t)
+        haze_550 = haze_total([550.0], t)[..., 0]
+        parts = (haze, gas, haze_550, np.asarray(gas_total([550.0])[0]))
+        return Coefficients(*(constant_or_own(np.asarray(p) if is_numpy(p) else p, like) for p in parts))
+
+    @cached_property
+    def sky_sources(self) -> Sources:
+        """The sky's light by direction, and the ground's if it has an albedo."""
+        directions, solid_angles = sky_nodes()
+        nodes = constant(directions, self.like)
+        rest = self.parts[1]
+        light = self.channels.sky_light(rest[0] if len(rest) == 1 else combine(rest, [1.0] * len(rest)), nodes)
+        if self.ground_albedo > 0:
+            flux = constant(solid_angles * directions[:, 2], light) @ light + self.sun_flux
+            directions, light, solid_angles = with_ground(directions, light, solid_angles, flux * self.ground_albedo)
+        haze, gas = self.channels.scattered(light, KEPT_TURBIDITY)
+        weights = constant(solid_angles, light)[:, None]
+        return Sources(directions, haze * weights, gas * weights, self.channels.wavelengths)
+
+    @cached_property
+    def sun_flux(self) -> Array:
+        """What the sun's discs send to level ground, in the channels of the sky's light; 0 without a disc."""
+        return sum(self.channels.sun_light(disc) * (disc.sun[..., 2] * weight) for disc, weight in self.parts[0])
+
+    @cached_property
+    def sun_sources(self) -> list[Sources]:
+        """The sun's discs as one direction each."""
+        found = []
+        for disc, weight in self.parts[0]:
+            haze, gas = self.channels.scattered(self.channels.sun_light(disc) * weight, KEPT_TURBIDITY)
+            found.append(Sources(disc.sun[None, :], haze[None, :], gas[None, :], self.channels.wavelengths))
+        return found
+
+    @cached_property
+    def table(self) -> LightTable:
+        """The sky's scattered light by view."""
+        return LightTable.of(self.sky_sources)
+
+    def scattered(self, views: Array) -> tuple[Array, Array]:
+        """S1 and S2 at the ground along views (..., 3), light per metre, each (..., C) (eq. 8)."""
+        many = views.size > 3 * MANY if is_numpy(views) else False
+        haze, gas = self.table.toward(views) if many else self.sky_sources.toward(views)
+        for sun in self.sun_sources:
+            more = sun.toward(views)
+            haze, gas = haze + more[0], gas + more[1]
+        scale = self.haze_scale
+        return haze * (constant_or_own(scale, haze)[..., None] if np.ndim(scale) else scale), gas
+
+    def at(self, distance: Any, direction: Any, height: Any = 0.0) -> AerialPerspective:
+        """Transmittance and in-scattered light of rays; see `aerial_perspective`."""
+        direction = checked_directions(direction, "direction")
+        if is_numpy(direction):
+            direction = constant(direction, self.like) if not is_numpy(self.like) else direction
+        direction = constant(direction, distance) if not is_numpy(distance) and is_numpy(direction) else direction
+        distance, height = checked(distance, direction, "distance", 0.0), checked(height, direction, "height")
+        if self.takes_kernel(distance, direction, height):
+            return self.by_kernel(distance, direction, height)
+        air = self.coefficients(direction)
+        xp = namespace(direction, distance)
+        ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
+        haze, gas = self.scattered(direction)
+        first, second = self.method.integrals(ray, air)
+        return AerialPerspective(xp.exp(-optical_depth(ray, air)), haze * first + gas * second)
+
+    def takes_kernel(self, distance: Array, direction: Array, height: Array) -> bool:
+        """True for many RGB rays in NumPy, by the default method, from one height."""
+        from importlib.util import find_spec
+
+        usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
+        large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
+        return bool(large and np.shape(distance) == direction.shape[:-1] and find_spec("numba") is not None)
+
+    def by_kernel(self, distance: np.ndarray, direction: np.ndarray, height: Any) -> AerialPerspective:
+        """The same in float32 for a whole image."""
+        from skydome.haze.fast import FastAir
+
+        tau, light = FastAir.of(self).at(distance, direction, float(height))
+        return AerialPerspective(tau, light)
+
+
+def checked(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:
+    """`value`, m, as an array; ValueError where it is below `low`, above FARTHEST or no number."""
+    value = floating(value, like=like)
+    if is_concrete(value):
+        xp = namespace(value)
+        if not bool(xp.all((value >= low) & (value <= FARTHEST))):
+            ends = f"{float(xp.min(value)):g} to {float(xp.max(value)):g}"
+            raise ValueError(f"{name} must lie in [{low:g}, {FARTHEST:g}] m, got {ends}")
+    return value
+
+
+def aerial_perspective(
+    sky: Sky,
+    distance: Any,
+    direction: Any,
+    height: Any = 0.0,
+    wavelengths: Any = None,
+    turbidity: Any = None,
+    ground_albedo: float = 0.0,
+    method: Integration | None = None,
+) -> AerialPerspective:
+    """Transmittance and in-scattered light of the air before objects at `distance` m toward `direction` (..., 3).
+
+    `height`: the viewer's, m above the ground. Shapes broadcast; the result has them and the channels last: linear
+    sRGB scaled so that a white of 1 cd m-2 is (1, 1, 1), or `wavelengths` (W,) nm in W m-2 sr-1 nm-1. `sky` must know
+    colour (a spectrum, for wavelengths); add the sun's disc to it (`sky + SunDisc.of(sky)`), else only skylight is
+    scattered. `turbidity`, the air's, is the sky's own unless given, and then an array may broadcast with the rays:
+    the light stays that of the one sky. `ground_albedo` adds light from a grey ground.
+
+    Flat ground, gas and haze that thin out exponentially, light that does not change with height, each photon
+    scattered once along the ray (Preetham 1999, section 4). NumPy, torch and JAX, with gradients. ValueError for a
+    distance that is negative or infinite, or beyond 1e9 m.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=250 * sd.deg, elevation=20 * sd.deg)
+    >>> sky = sd.Preetham(sun, turbidity=3.0)
+    >>> air = aerial_perspective(sky + sd.SunDisc.of(sky), 10e3, sd.EAST)
+    >>> red, green, blue = air.transmittance
+    >>> bool(red > green > blue)
+    True
+    """
+    return AirLight(sky, wavelengths, turbidity, ground_albedo, method or FewNodes()).at(distance, direction, height)

@@ -1,0 +1,104 @@
+"""The channels in which aerial perspective is computed: wavelengths, or red, green and blue."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from skydome.air.scattering import gas_total, haze_total
+from skydome.ground.arrays import Array, constant
+from skydome.haze.light import constant_or_own
+from skydome.light.colour import SRGB
+from skydome.light.daylight import daylight_spectrum
+from skydome.light.spectrum import checked_wavelengths, xyz_weights
+from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.suns.sun_disc import SunDisc
+
+BANDS = np.arange(380.0, 721.0, 10.0)
+"""Wavelengths, nm, of which red, green and blue are summed: those that every spectral sky knows."""
+
+D65_XYZ = np.array([0.95045593, 1.0, 1.08905775])
+
+
+@dataclass(frozen=True, eq=False)
+class Wavelengths:
+    """One channel a wavelength (W,), nm; light in W m-2 sr-1 nm-1."""
+
+    wavelengths: np.ndarray
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        w = checked_wavelengths(self.wavelengths)
+        if w[0] < 380 or w[-1] > 780:
+            raise ValueError(f"wavelengths must lie in [380, 780] nm, got {w[0]:g} to {w[-1]:g}")
+
+    def coefficients(self, turbidity: Any) -> tuple[Array, np.ndarray]:
+        """Total scattering of haze and gas, m-1, (W,)."""
+        return haze_total(self.wavelengths, turbidity), gas_total(self.wavelengths)
+
+    def sky_light(self, sky: Sky, directions: Array) -> Array:
+        """Radiance (N, W); TypeError for a sky without a spectrum."""
+        if not isinstance(sky, SpectralSky):
+            raise TypeError(f"{type(sky).__name__} knows no spectrum; leave out wavelengths, or wrap it in Daylight")
+        return sky.radiance(directions, self.wavelengths)
+
+    def sun_light(self, disc: SunDisc) -> Array:
+        """Normal irradiance (W,), W m-2 nm-1."""
+        return disc.irradiance(self.wavelengths)
+
+    def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
+        """Light (..., W) times the coefficients of haze and gas, each (..., W)."""
+        haze, gas = self.coefficients(turbidity)
+        return light * constant_or_own(haze, light), light * constant(gas, light)
+
+
+@dataclass(frozen=True, eq=False)
+class RedGreenBlue:
+    """Linear sRGB, a white of 1 cd m-2 being (1, 1, 1).
+
+    Each channel's extinction is its mean over the channel's response to D65, exact for a thin veil of air before a
+    white object. Scattered light is summed over the spectrum where the sky knows one.
+    """
+
+    def response(self) -> np.ndarray:
+        """Weights (B, 3) from spectra at BANDS to linear sRGB."""
+        weights: np.ndarray = xyz_weights(BANDS) @ SRGB.from_xyz.T
+        return weights
+
+    def mean(self, values: Array) -> Array:
+        """The mean of values (B,) over each channel's response to D65, (3,)."""
+        weights = self.response() * daylight_spectrum(D65_XYZ, BANDS)[:, None]
+        weights = weights / weights.sum(axis=0)
+        return values @ constant(weights, values)
+
+    @property
+    def wavelengths(self) -> np.ndarray:
+        """The wavelength (3,), nm, at which haze scatters as strongly as in each channel, blue last: descending."""
+        means = np.asarray(self.mean(haze_total(BANDS, 2.0)))
+        found: np.ndarray = np.interp(-means, -haze_total(BANDS, 2.0), BANDS)
+        return found
+
+    def coefficients(self, turbidity: Any) -> tuple[Array, np.ndarray]:
+        """Total scattering of haze and gas, m-1, (3,)."""
+        return self.mean(haze_total(BANDS, turbidity)), np.asarray(self.mean(gas_total(BANDS)))
+
+    def sky_light(self, sky: Sky, directions: Array) -> Array:
+        """Radiance at BANDS (N, B), or RGB (N, 3) of a sky without spectrum; TypeError for one without colour."""
+        if isinstance(sky, SpectralSky):
+            return sky.radiance(directions, BANDS)
+        if isinstance(sky, ColourSky):
+            return sky.rgb(directions)
+        raise TypeError(f"{type(sky).__name__} knows luminance only; give it colour with Daylight(sky)")
+
+    def sun_light(self, disc: SunDisc) -> Array:
+        """Normal irradiance (B,), W m-2 nm-1."""
+        return disc.irradiance(BANDS)
+
+    def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
+        """Light (..., B) or (..., 3) times the coefficients of haze and gas, each (..., 3) in RGB."""
+        if light.shape[-1] == 3:
+            haze, gas = self.coefficients(turbidity)
+            return light * constant_or_own(haze, light), light * constant(gas, light)
+        to_rgb = constant(self.response(), light)
+        haze = constant_or_own(haze_total(BANDS, turbidity), light)
+        return (light * haze) @ to_rgb, (light * constant(gas_total(BANDS), light)) @ to_rgb

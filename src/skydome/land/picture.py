@@ -1,0 +1,247 @@
+"""Pictures of real land: an elevation model under a sky, with shadows, skylight on slopes, and the air in between."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skydome.dome.integrals import discs_and_rest
+from skydome.ground.directions import direction, unit
+from skydome.ground.quadrature import gauss_legendre
+from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
+from skydome.haze.aerial_perspective import AirLight
+from skydome.haze.fast import FastAir, FastTables
+from skydome.haze.ward_larson import WardLarson
+from skydome.land.camera import Camera
+from skydome.land.elevation import Elevation
+from skydome.light.colour import SRGB, encode_srgb, rgb_from_xyz
+from skydome.skies.sky import ColourSky, Sky
+
+EARTH_RADIUS = 6_371_000.0
+REFRACTION = 7 / 6
+"""By how much refraction flattens the Earth for a ray near the ground."""
+
+SECTORS, RINGS = 16, 8
+"""Azimuths of the skyline about each vertex, and elevations at which the sky is taken."""
+
+MOST_LIT = 100_000
+"""Vertices whose skylight is computed; between them it is interpolated."""
+
+ROWS_AT_A_TIME = 64
+HORIZON = 1e-4
+"""Sine of the least elevation at which the sky is taken, for pixels that reach below the horizon."""
+
+SUN_POINTS = 4000
+"""Points of the sun's disc that are laid onto the picture."""
+
+GRASS = (0.11, 0.12, 0.07)
+"""Reflectance of the ground in linear sRGB unless given: dry grass and forest."""
+
+
+@dataclass(frozen=True, eq=False)
+class TerrainPicture:
+    """Linear sRGB `rgb` (H, W, 3), a white of 1 cd m-2 being (1, 1, 1), and `depth` (H, W), m, infinite in the sky."""
+
+    rgb: np.ndarray
+    depth: np.ndarray
+
+    def exposure(self) -> float:
+        """The factor that brings the usual luminance to middle grey."""
+        return auto_exposure(np.maximum(self.rgb, 0) @ np.asarray(SRGB.to_xyz[1]))
+
+    def encoded(self, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:
+        """sRGB values (H, W, 3) in 0..1 for the screen."""
+        factor = self.exposure() if exposure is None else exposure
+        encoded: np.ndarray = encode_srgb(tone_mapped(np.maximum(self.rgb, 0.0) * factor, curve or Filmic()))
+        return encoded
+
+    def save(self, path: str | PathLike[str], exposure: float | None = None) -> None:
+        """Write a .png (tone-mapped) or an .exr (linear, with the depth in channel Z)."""
+        from skydome.ground.png import write_png
+        from skydome.land.depth import write_exr_with_depth
+
+        suffix = Path(path).suffix.lower()
+        if suffix == ".png":
+            write_png(path, self.encoded(exposure))
+        elif suffix == ".exr":
+            write_exr_with_depth(path, self.rgb, self.depth)
+        else:
+            raise ValueError(f"a terrain picture must end in .png or .exr, got {Path(path).name!r}")
+
+
+def render_terrain(
+    elevation: Elevation,
+    camera: Camera,
+    sky: Sky,
+    air: AirLight | WardLarson | None = None,
+    albedo: Any = GRASS,
+    samples: int = 16,
+    curvature: bool = False,
+    seed: int = 0,
+    progress: Callable[[int, int], None] | None = None,
+) -> TerrainPicture:
+    """The view of a camera on the land under a sky (with the sun's disc added) through `air`; None is a vacuum.
+
+    `albedo`: RGB (3,), or an image (h, w, 3) in linear sRGB stretched over the map. `samples` a pixel: a square
+    number. `curvature`: lower the land by the Earth's curve, less refraction. `progress(done, rows)` is called as rows
+    are finished. Beyond the map lies flat ground of the mean albedo at its lowest height, from which `air` measures
+    heights. Needs Numba.
+    """
+    from skydome.land.picture_kernel import picture_rows
+    from skydome.land.rays_kernel import height_at
+
+    require_samples(samples)
+    u, v = place_on(elevation, camera)
+    heights = curved(elevation, u, v) if curvature else np.ascontiguousarray(elevation.heights, dtype=np.float64)
+    z, base = height_at(heights, u, v) + camera.above_ground, float(heights.min())
+    ground = (heights, *pyramid_of(heights), float(elevation.dx), float(elevation.dy), base)
+    surface = surface_of(albedo, heights.shape)
+    sunlight, rest = sun_of(sky), skylight_of(sky)
+    lit = lit_slopes(ground, rest, sunlight, surface[3])
+    kind, fog, densities, tables = air_for(air, z - base)
+    forward, right, up = (np.asarray(part, dtype=np.float64) for part in camera.frame())
+    background = background_of(sky, camera)
+    view = (u, v, float(z), forward, right, up, camera.width, camera.height)
+    rgb, depth = np.zeros((camera.height, camera.width, 3), np.float32), np.zeros((camera.height, camera.width))
+    for first in range(0, camera.height, ROWS_AT_A_TIME):
+        last = min(first + ROWS_AT_A_TIME, camera.height)
+        rows = rgb[first:last], depth[first:last]
+        light = background[first:last], sunlight, lit, surface
+        picture_rows(ground, view, first, samples, seed, *light, kind, fog, densities, tables, *rows)
+        if progress is not None:
+            progress(last, camera.height)
+    return TerrainPicture(rgb, depth.astype(np.float32))
+
+
+def require_samples(samples: int) -> None:
+    """ValueError unless a square number."""
+    if samples < 1 or round(samples**0.5) ** 2 != samples:
+        raise ValueError(f"samples must be a square number such as 1, 4, 9 or 16, got {samples}")
+
+
+def place_on(elevation: Elevation, camera: Camera) -> tuple[float, float]:
+    """The camera's place in cells (u, v); ValueError off the map."""
+    rows, columns = elevation.heights.shape
+    u = (columns - 1) / 2 + camera.east / elevation.dx
+    v = (rows - 1) / 2 - camera.north / elevation.dy
+    if not (0 <= u <= columns - 1 and 0 <= v <= rows - 1):
+        half = (columns - 1) / 2 * elevation.dx, (rows - 1) / 2 * elevation.dy
+        raise ValueError(
+            f"the camera must stand on the map, within {half[0]:.0f} m east or west and {half[1]:.0f} m north or south "
+            f"of its middle, got {camera.east:g}, {camera.north:g}"
+        )
+    return float(u), float(v)
+
+
+def curved(elevation: Elevation, u: float, v: float) -> np.ndarray:
+    """Heights lowered by the Earth's curve as seen from (u, v)."""
+    rows, columns = elevation.heights.shape
+    y, x = np.meshgrid((np.arange(rows) - v) * elevation.dy, (np.arange(columns) - u) * elevation.dx, indexing="ij")
+    return np.ascontiguousarray(elevation.heights - (x * x + y * y) / (2 * EARTH_RADIUS * REFRACTION))
+
+
+def pyramid_of(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Maxima of 2^k x 2^k blocks of cells, flat, and (offset, rows, columns) of each level."""
+    cells = np.maximum(np.maximum(heights[:-1, :-1], heights[1:, :-1]), np.maximum(heights[:-1, 1:], heights[1:, 1:]))
+    levels = [cells]
+    while max(levels[-1].shape) > 1:
+        rows, columns = ((size + 1) // 2 for size in levels[-1].shape)
+        pad = [(0, 2 * rows - levels[-1].shape[0]), (0, 2 * columns - levels[-1].shape[1])]
+        levels.append(np.pad(levels[-1], pad, mode="edge").reshape(rows, 2, columns, 2).max(axis=(1, 3)))
+    offsets = np.cumsum([0, *(level.size for level in levels[:-1])])
+    shapes = np.array([(o, *level.shape) for o, level in zip(offsets, levels, strict=True)], dtype=np.int64)
+    return np.concatenate([level.ravel() for level in levels]), shapes
+
+
+def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, float, np.ndarray]:
+    """Reflectance (h, w, 3) of at least 2 x 2 texels, texels a cell along rows and columns, and the mean (3,)."""
+    image = np.asarray(albedo, dtype=np.float64)
+    image = np.broadcast_to(image, (2, 2, 3)) if image.ndim <= 1 else image
+    if image.ndim != 3 or image.shape[-1] != 3 or min(image.shape[:2]) < 2:
+        raise ValueError(f"albedo must be RGB (3,) or an image (h, w, 3), got shape {np.shape(albedo)}")
+    if not (np.isfinite(image).all() and image.min() >= 0 and image.max() <= 1):
+        raise ValueError(f"albedo must lie in [0, 1], got {image.min():g} to {image.max():g}")
+    scale = (image.shape[0] - 1) / (shape[0] - 1), (image.shape[1] - 1) / (shape[1] - 1)
+    return np.ascontiguousarray(image), float(scale[0]), float(scale[1]), image.mean(axis=(0, 1))
+
+
+def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, float]:
+    """Direction, normal irradiance in RGB, and sine of the radius of the sun's disc in a sky; dark without one."""
+    discs, _ = discs_and_rest(sky)
+    if not discs:
+        return np.array([0.0, 0.0, 1.0]), np.zeros(3), 0.0
+    disc, weight = discs[0]
+    light = np.maximum(rgb_from_xyz(np.asarray(disc.normal_xyz)) * weight, 0.0)
+    return np.asarray(disc.sun, dtype=np.float64), light, float(np.sin(disc.angular_radius))
+
+
+def skylight_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Azimuths (K,), elevations (M,), weights (M,) and the sky's RGB there (K, M, 3), without the sun's disc."""
+    sines, steps = gauss_legendre(RINGS)
+    azimuths, elevations = np.arange(SECTORS) * (2 * np.pi / SECTORS), np.arcsin(sines)
+    nodes = direction(azimuths[:, None], elevations)
+    light = np.maximum(rgb_of(discs_and_rest(sky)[1], nodes), 0.0)
+    return azimuths, elevations, steps * (2 * np.pi / SECTORS), np.ascontiguousarray(light)
+
+
+def rgb_of(skies: list[Sky], directions: np.ndarray) -> np.ndarray:
+    """The sum of their RGB (..., 3); TypeError for a sky without colour."""
+    total = np.zeros(directions.shape)
+    for sky in skies:
+        if not isinstance(sky, ColourSky):
+            raise TypeError(f"{type(sky).__name__} knows luminance only; give it colour with Daylight(sky)")
+        total = total + np.asarray(sky.rgb(directions))
+    return total
+
+
+def background_of(sky: Sky, camera: Camera) -> np.ndarray:
+    """RGB (H, W, 3) of the sky with the sun's disc, whose energy is right at every resolution."""
+    discs, rest = discs_and_rest(sky)
+    image = np.zeros((camera.height, camera.width, 3))
+    for first in range(0, camera.height, ROWS_AT_A_TIME):
+        last = min(first + ROWS_AT_A_TIME, camera.height)
+        views = camera.directions(first, last)
+        views[..., 2] = np.maximum(views[..., 2], HORIZON)  # a pixel on the horizon has sky in its upper part
+        image[first:last] = np.maximum(rgb_of(rest, unit(views)), 0.0)
+    for disc, weight in discs:
+        points, light = disc.points(SUN_POINTS)
+        row, column, solid_angle = camera.pixels(points)
+        seen = (row >= 0) & (row < camera.height) & (column >= 0) & (column < camera.width) & (solid_angle > 0)
+        radiance = np.maximum(rgb_from_xyz(light) * weight, 0.0)[seen] / solid_angle[seen, None]
+        np.add.at(image, (row[seen], column[seen]), radiance)
+    return image
+
+
+def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tuple[np.ndarray, int]:
+    """Skylight on the vertices, RGB (rows, columns, 3), and the stride between them."""
+    from skydome.land.rays_kernel import skylight
+
+    heights, _, _, dx, dy, _ = ground
+    azimuths, elevations, weights, light = rest
+    level = np.einsum("m,kmc->c", weights * np.sin(elevations), light)
+    bounce = albedo * (level + sunlight[1] * max(sunlight[0][2], 0.0))
+    stride = max(1, int(np.ceil(np.sqrt(heights.size / MOST_LIT))))
+    found = np.zeros((*((size - 1) // stride + 1 for size in heights.shape), 3))
+    skylight(heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found)
+    return found, stride
+
+
+def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.ndarray, np.ndarray, FastTables]:
+    """What the kernel needs to know of the air: its kind, the fog, the densities at the camera, the tables."""
+    from skydome.land.picture_kernel import CLEAR, FOG, NOTHING
+
+    single, densities = np.float32, np.ones(2, np.float32)
+    empty = FastTables(
+        np.ones(8, single), np.ones((3, 1), single), np.zeros((2, 2, 6), single), np.zeros((0, 3), single),
+        np.zeros((0, 2, 6), single),
+    )  # fmt: skip
+    if air is None:
+        return NOTHING, np.zeros(6), densities, empty
+    if isinstance(air, WardLarson):
+        tau = np.asarray(air.at(1000.0, np.array([0.0, 1.0, 0.0]), height).transmittance)
+        return FOG, np.concatenate([-np.log(tau) / 1000, np.asarray(air.ambient)]), densities, empty
+    fast = FastAir.of(air)
+    return CLEAR, np.zeros(6), fast.densities(height), fast.tables

@@ -1,0 +1,178 @@
+"""A whole grid of simulated skies in a Zarr store: independent pieces, computed by Dask, each written once.
+
+A piece is one turbidity and albedo: all suns, views and wavelengths. It is written whole under its own name, and only
+then counts as there, so that a killed worker loses its own piece at most and a restart computes what is missing.
+"""
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from hashlib import sha256
+from itertools import product
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.cross_sections import rayleigh_depth
+from skydome.ground.arrays import Array
+from skydome.ground.directions import direction
+from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
+
+FORM = 2
+"""Number of the store's layout and of the simulation's meaning; a change makes old stores another grid."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Turbidities, ground albedos, sun elevations (degrees), wavelengths (nm), and views: zenith angles x azimuths.
+
+    The usual one is Hosek and Wilkie's whole grid: turbidity 1-10, albedo 0 and 1, elevations (n / 45)^3 90 degrees for
+    n = 1 ... 45, 11 bands. Suns below 5 degrees are less certain (docs/models/physical.md says by how much).
+    """
+
+    turbidities: tuple[float, ...] = tuple(float(t) for t in range(1, 11))
+    albedos: tuple[float, ...] = (0.0, 1.0)
+    elevations: tuple[float, ...] = tuple(round((n / 45) ** 3 * 90, 9) for n in range(1, 46))
+    wavelengths: tuple[float, ...] = tuple(float(w) for w in range(320, 721, 40))
+    zenith_angles: tuple[float, ...] = tuple(float(z) for z in range(2, 89, 4))
+    azimuths: tuple[float, ...] = tuple(float(a) for a in range(0, 181, 12))
+    streams: int = 16
+    ozone: float = 330.0
+    asymmetry: float = field(default=0.76)
+
+    def __post_init__(self) -> None:
+        limits = {
+            "turbidities": (1, 64),
+            "albedos": (0, 1),
+            "elevations": (0, 90),
+            "wavelengths": (300, 1100),
+            "zenith_angles": (0, 89.9),
+            "azimuths": (0, 360),
+        }
+        for name, (low, high) in limits.items():
+            values = getattr(self, name)
+            object.__setattr__(self, name, tuple(float(v) for v in values))
+            wrong = [v for v in getattr(self, name) if not low <= v <= high]
+            if wrong or not values:
+                raise ValueError(
+                    f"{name} must lie in [{low}, {high}] and not be empty, got {wrong[0] if wrong else '[]'}"
+                )
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> "Grid":
+        """From a .toml file whose keys are this class's; ValueError for a key that is none."""
+        import tomllib
+
+        try:
+            held = tomllib.loads(Path(path).read_text("utf-8"))
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"{path} is no TOML: {error}") from error
+        unknown = sorted(set(held) - set(cls.__dataclass_fields__))
+        if unknown:
+            known = ", ".join(cls.__dataclass_fields__)
+            raise ValueError(f"a grid's keys must be among {known}, got {unknown[0]!r}")
+        return cls(**held)
+
+    @property
+    def pieces(self) -> list[tuple[int, int]]:
+        """Indices of turbidity and albedo of every piece."""
+        return list(product(range(len(self.turbidities)), range(len(self.albedos))))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the whole: turbidities, albedos, elevations, zenith angles, azimuths, wavelengths."""
+        parts = (self.turbidities, self.albedos, self.elevations, self.zenith_angles, self.azimuths, self.wavelengths)
+        return tuple(len(part) for part in parts)
+
+    def fingerprint(self) -> str:
+        """A hash of everything that the light depends on."""
+        return sha256(json.dumps([FORM, asdict(self)], sort_keys=True).encode()).hexdigest()
+
+
+def simulated(grid: Grid, piece: tuple[int, int]) -> Array:
+    """Radiance of one piece for sunlight of irradiance 1, sr-1, float32 (elevations, zenith angles, azimuths, W)."""
+    turbidity, albedo = grid.turbidities[piece[0]], grid.albedos[piece[1]]
+    depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
+    air = Atmosphere.standard(depth, grid.asymmetry, ozone=grid.ozone, albedo=albedo, aerosol_albedo=1.0)
+    zenith, azimuth = np.meshgrid(np.radians(grid.zenith_angles), np.radians(grid.azimuths), indexing="ij")
+    views = direction(azimuth, np.pi / 2 - zenith)
+    suns = direction(np.zeros(len(grid.elevations)), np.radians(grid.elevations))
+    light = [DiscreteOrdinates(sun, air, grid.streams).radiance(views, grid.wavelengths) for sun in suns]
+    return (np.stack(light) / air.sun_at(grid.wavelengths)).astype(np.float32)
+
+
+def prepared(grid: Grid, path: Path) -> None:
+    """Make the store's frame where it is not there; ValueError where it holds another grid."""
+    import zarr
+
+    if path.exists():
+        try:
+            held = zarr.open_group(path, mode="r").attrs.get("fingerprint")
+        except (FileNotFoundError, ValueError) as error:
+            raise ValueError(f"{path} is there and is no Zarr store") from error
+        if held != grid.fingerprint():
+            raise ValueError(f"{path} holds another grid; choose another path, or remove it")
+        return
+    beside = path.with_name(f".{path.name}.part")
+    group = zarr.open_group(beside, mode="w")
+    chunks = (1, 1, *grid.shape[2:])
+    group.create_array("radiance", shape=grid.shape, chunks=chunks, dtype="float32", fill_value=np.nan)
+    for name in ("turbidities", "albedos", "elevations", "zenith_angles", "azimuths", "wavelengths"):
+        values = np.asarray(getattr(grid, name))
+        group.create_array(name, shape=values.shape, dtype="float64")[:] = values
+    group.attrs.update(
+        {"grid": asdict(grid), "unit": "sr-1 for sunlight of irradiance 1", "fingerprint": grid.fingerprint()}
+    )
+    beside.rename(path)
+
+
+def is_there(path: Path, piece: tuple[int, int]) -> bool:
+    """True where a piece's chunk is written (Zarr's local store writes beside and renames: whole or not at all)."""
+    return (path / "radiance" / "c" / str(piece[0]) / str(piece[1]) / "0/0/0/0").exists()
+
+
+def write_piece(grid: Grid, path: str, piece: tuple[int, int]) -> tuple[int, int]:
+    """Compute a piece and write it, unless it is there: the same bytes whoever does it, and however often."""
+    import zarr
+
+    if not is_there(Path(path), piece):
+        zarr.open_group(path, mode="r+")["radiance"][piece[0], piece[1]] = simulated(grid, piece)
+    return piece
+
+
+def simulate(
+    grid: Grid,
+    path: str | PathLike[str],
+    scheduler: str | None = None,
+    workers: int = 0,
+    progress: Callable[[int, int], None] | None = None,
+) -> int:
+    """Fill a Zarr store with a grid's light; the count of pieces computed now.
+
+    What is there is not computed again. `workers` 0 is this process alone, more are a cluster on this machine;
+    `scheduler` is the address of a Dask scheduler whose workers see the same files. `progress(done, of)` is called
+    after each piece.
+    """
+    path = Path(path)
+    prepared(grid, path)
+    missing = [piece for piece in grid.pieces if not is_there(path, piece)]
+    told = progress or (lambda done, of: None)
+    if scheduler is None and workers == 0:
+        for k, piece in enumerate(missing):
+            write_piece(grid, str(path), piece)
+            told(k + 1, len(missing))
+        return len(missing)
+    from distributed import Client, LocalCluster, as_completed
+
+    cluster: Any = None if scheduler else LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
+    with Client(scheduler or cluster) as client:
+        jobs = client.map(lambda piece: write_piece(grid, str(path.resolve()), piece), missing, pure=False, retries=3)
+        for k, done in enumerate(as_completed(jobs)):
+            done.result()
+            told(k + 1, len(missing))
+    if cluster is not None:
+        cluster.close()
+    return len(missing)

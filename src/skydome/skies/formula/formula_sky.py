@@ -1,0 +1,162 @@
+"""Skies that are nothing but coefficients of the nine-number formula."""
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array, floating, is_numpy, namespace
+from skydome.ground.directions import checked_directions
+from skydome.light.colour import SRGB, RGBSpace
+from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
+from skydome.skies.formula.perez_formula import COSINE_FLOOR, evaluate, view_geometry
+from skydome.skies.formula.quantity import Quantity
+from skydome.skies.sky import ColourSky, Sky
+
+Recipe = tuple[Array, Quantity]
+"""Coefficients (..., channels, 10) and what is made of the channels."""
+
+
+@dataclass(frozen=True, eq=False)
+class FormulaSky(Sky):
+    """A sky given by `coefficients`; `sun` is the direction toward the sun, (..., 3), and parameters broadcast with it.
+
+    Parameters of shape (T, 1) and directions (D, 3) give light of shape (T, D).
+    """
+
+    sun: Array
+    offset: ClassVar[float] = 0.0
+    floor: ClassVar[float] = COSINE_FLOOR
+
+    @property
+    def formula_sun(self) -> Array:
+        """The sun that the formula sees, (..., 3)."""
+        return self.sun
+
+    @abstractmethod
+    def coefficients(self) -> Array:
+        """The numbers R A B ... I for each channel, shape (..., channels, 10)."""
+
+    def channels(self, directions: Array, coefficients: Array | None = None) -> Array:
+        """The channels toward each direction (..., 3), shape (..., channels); 0 below the horizon and at night."""
+        namespace(directions, self.sun)
+        directions = checked_directions(directions)
+        sun = floating(self.formula_sun, like=directions)
+        coefficients = self.coefficients() if coefficients is None else coefficients
+        cos_zenith, sun_angle = view_geometry(directions, sun)
+        light = evaluate(coefficients, cos_zenith, sun_angle, self.offset, self.floor)
+        return self.blanked(light, directions)
+
+    @abstractmethod
+    def luminance_recipe(self) -> Recipe:
+        """What luminance is made of, cd m-2, one number."""
+
+    def luminance(self, directions: Array, out: np.ndarray | None = None) -> Array:
+        """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night. See `light`."""
+        recipe = self.luminance_recipe()
+        if out is None:
+            return self.light(directions, recipe)[..., 0]
+        checked_out(out, self.light_shape(floating(directions), *recipe)[:-1])
+        return self.light(directions, recipe, out[..., None])[..., 0]
+
+    def light(self, directions: Array, recipe: Recipe, out: np.ndarray | None = None) -> Array:
+        """The light of a recipe toward each direction (..., 3), shape (..., K), written into `out` where it is given.
+
+        NumPy: float32 directions, or a float32 `out`, ask for float32 (large jobs take compiled kernels, error 2e-6);
+        float64 is the formula itself. Other libraries: their own arrays, and no `out`.
+        """
+        coefficients, quantity = recipe
+        if not (is_numpy(directions) and is_numpy(self.sun) and is_numpy(coefficients)):
+            if out is not None:
+                raise TypeError(f"out is for NumPy arrays, got directions of {type(directions).__name__}")
+            return quantity.of(self.channels(directions, coefficients))
+        directions = floating(directions)
+        wanted = directions.dtype if out is None else getattr(out, "dtype", None)
+        shape = self.light_shape(directions, coefficients, quantity)
+        out = out if out is None else checked_out(out, shape)
+        kernel = chosen(PRICE_OF_DIRECTIONS * int(np.prod(shape)), coefficients) if wanted == np.float32 else None
+        if kernel is not None and self.is_outer(directions, coefficients):
+            result = out if out is not None and out.flags.c_contiguous else np.empty(shape, np.float32)
+            many_skies(kernel, self.numbers(recipe), directions.reshape(-1, 3), result)
+        else:
+            result = quantity.of(self.channels(directions, coefficients))
+            result = result.astype(np.float32, copy=False) if wanted == np.float32 else result
+        if out is None or out is result:
+            return result
+        out[...] = result
+        return out
+
+    def light_shape(self, directions: np.ndarray, coefficients: np.ndarray, quantity: Quantity) -> tuple[int, ...]:
+        """The shape (..., K) of the light toward directions (..., 3)."""
+        if directions.ndim == 0 or directions.shape[-1] != 3:
+            checked_directions(directions)
+        sun = np.shape(self.formula_sun)[:-1]
+        leading = np.broadcast_shapes(directions.shape[:-1], coefficients.shape[:-2], sun)
+        return (*leading, quantity.size(coefficients.shape[-2]))
+
+    def own_shape(self, coefficients: np.ndarray) -> tuple[int, ...]:
+        """The leading shape of the sky's parameters."""
+        return np.broadcast_shapes(coefficients.shape[:-2], np.shape(self.formula_sun)[:-1], np.shape(self.valid))
+
+    def is_outer(self, directions: np.ndarray, coefficients: np.ndarray) -> bool:
+        """Whether every direction meets every sky, skies first: shapes such as () and (H, W), (T, 1) and (D,)."""
+        own, views = self.own_shape(coefficients), directions.shape[:-1]
+        head = len(own) - max((k + 1 for k, size in enumerate(own) if size != 1), default=0)  # trailing axes of 1
+        return head >= len(views) or own[: len(own) - head] == ()
+
+    def numbers(self, recipe: Recipe) -> Light:
+        """The sky's numbers as flat NumPy arrays, one row a sky."""
+        coefficients, quantity = recipe
+        own = self.own_shape(coefficients)
+        states = np.where(self.is_day, 1.0, 0.0)
+        if self.check == "nan":
+            states = np.where(self.valid | ~self.is_day, states, -1.0)
+        return Light(
+            np.broadcast_to(coefficients, (*own, *coefficients.shape[-2:])).reshape(-1, *coefficients.shape[-2:]),
+            np.broadcast_to(np.asarray(self.formula_sun, dtype=np.float64), (*own, 3)).reshape(-1, 3),
+            np.broadcast_to(states, own).reshape(-1),
+            self.offset,
+            self.floor,
+            quantity,
+        )
+
+    def parameter(self, name: str) -> Array:
+        """The parameter as a floating array in the library of `sun`, clamped to its range unless check is "raise"."""
+        from skydome.skies.validity import applied
+
+        value: Any = getattr(self, name)
+        if name in self.ranges:
+            return applied(name, value, self.ranges[name], self.check, like=self.sun)
+        return floating(value, like=self.sun)
+
+
+@dataclass(frozen=True, eq=False)
+class ColourFormulaSky(FormulaSky, ColourSky):
+    """A formula sky whose colour is known: XYZ and linear RGB by its recipes."""
+
+    @abstractmethod
+    def xyz_recipe(self) -> Recipe:
+        """What CIE XYZ is made of, Y in cd m-2."""
+
+    def rgb_recipe(self, space: RGBSpace = SRGB) -> Recipe:
+        """What linear RGB is made of."""
+        coefficients, quantity = self.xyz_recipe()
+        return coefficients, quantity.then(space.from_xyz)
+
+    def xyz(self, directions: Array, out: np.ndarray | None = None) -> Array:
+        """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3). See `light` for float32 and `out`."""
+        return self.light(directions, self.xyz_recipe(), out)
+
+    def rgb(self, directions: Array, space: RGBSpace = SRGB, out: np.ndarray | None = None) -> Array:
+        """Linear RGB toward each direction, white of 1 cd m-2 being (1, 1, 1), shape (..., 3). See `light`."""
+        return self.light(directions, self.rgb_recipe(space), out)
+
+
+@dataclass(frozen=True, eq=False)
+class LuminanceFormulaSky(FormulaSky):
+    """A formula sky of one channel, luminance, whose level is given by zenith luminance or by illuminance."""
+
+    def luminance_recipe(self) -> Recipe:
+        """The one channel itself."""
+        return self.coefficients(), Quantity()

@@ -1,0 +1,72 @@
+"""The absolute level of skies that are known only up to a factor: by zenith luminance or by illuminance."""
+
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.arrays import Array, at_least, floating, namespace, safe_divide
+from skydome.ground.directions import elevation, zenith_angle
+from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, horizontal_integral
+
+
+def require_one_level(model: str, zenith_luminance: Any, illuminance: Any) -> None:
+    """ValueError unless exactly one of the two levels is given, and it is not negative."""
+    if (zenith_luminance is None) == (illuminance is None):
+        given = "neither" if zenith_luminance is None else "both"
+        raise ValueError(f"{model} takes either zenith_luminance (cd m-2) or illuminance (lx), got {given}")
+    name, value = ("illuminance", illuminance) if zenith_luminance is None else ("zenith_luminance", zenith_luminance)
+    from skydome.skies.validity import Range, require
+
+    require(name, value, Range(0.0, float("inf")))
+
+
+def levelled(
+    coefficients: Array,
+    sun: Array,
+    zenith_luminance: Any = None,
+    illuminance: Any = None,
+    offset: float = 0.0,
+    floor: float = COSINE_FLOOR,
+) -> Array:
+    """Relative coefficients (..., 1, 10) with R set so that the sky has the level asked for.
+
+    By zenith luminance: L = Lz f / f(zenith) (seed 000, eq. 8). By diffuse horizontal illuminance:
+    L = E f / integral(f cos t) (eq. 9). A sky that is black everywhere keeps R = 0.
+    """
+    xp = namespace(coefficients, sun)
+    sun_zenith = at_least(zenith_angle(sun), 0.0)
+    if illuminance is None:
+        reference = evaluate(coefficients, xp.ones_like(sun_zenith), sun_zenith, offset, floor)
+        target = floating(zenith_luminance, like=coefficients)
+    else:
+        sun_zenith = xp.where(sun_zenith < np.pi / 2, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
+        reference = horizontal_integral(coefficients, sun_zenith, offset, floor)
+        target = floating(illuminance, like=coefficients)
+    factor = safe_divide(target[..., None] if getattr(target, "ndim", 0) else target, reference)
+    level = coefficients[..., R] * factor
+    level, rest = level[..., None], coefficients[..., 1:]
+    rest = xp.broadcast_to(rest, (*np.broadcast_shapes(tuple(level.shape[:-1]), tuple(rest.shape[:-1])), 9))
+    return xp.concat([xp.broadcast_to(level, (*tuple(rest.shape[:-1]), 1)), rest], axis=-1)
+
+
+def clear_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
+    """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38).
+
+    The formula and the turbidity of Radiance's `gensky`.
+    Karayel, Navvab, Ne'eman and Selkowitz (1984). Grows without bound near the zenith: elevation is held at 75 degrees.
+
+    >>> from skydome import deg, direction
+    >>> round(float(clear_zenith_luminance(direction(azimuth=0.0, elevation=45 * deg))))
+    1941
+    """
+    xp = namespace(sun)
+    height = elevation(sun)
+    limit = xp.full_like(height, np.radians(75.0))
+    height = at_least(xp.where(height < limit, height, limit), 0.0)
+    return 1000 * ((1.376 * floating(turbidity, like=height) - 1.81) * xp.tan(height) + 0.38)
+
+
+def overcast_zenith_luminance(sun: Array) -> Array:
+    """Zenith luminance of an overcast sky, cd m-2: 1000 (8.6 sin(elevation) + 0.123), the formula of `gensky`."""
+    xp = namespace(sun)
+    return 1000 * (8.6 * xp.sin(at_least(elevation(sun), 0.0)) + 0.123)

@@ -1,0 +1,85 @@
+"""Networks in files: safetensors with provenance in its header; nothing is executed on reading."""
+
+import json
+from importlib.resources import as_file
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.tables import DATA
+from skydome.ground.writing import appearing
+from skydome.skies.neural.network import OUTPUTS, Network
+
+MOST_BYTES = 16 * 1024**2
+
+
+def save_network(path: str | PathLike[str], network: Network, provenance: dict[str, Any]) -> None:
+    """Write a network to a .safetensors file, atomically, with how it was made as text in the header."""
+    from safetensors.numpy import save
+
+    tensors = {}
+    for k, (weights, biases) in enumerate(network.layers):
+        tensors[f"weights_{k}"], tensors[f"biases_{k}"] = weights, biases
+    about = {
+        "format": "skydome network 1",
+        "features": json.dumps(network.features),
+        "output": network.output.name,
+        "scale": repr(network.scale),
+        "bands": json.dumps(network.bands),
+        "provenance": json.dumps(provenance),
+    }
+    with appearing(path) as beside:
+        beside.write_bytes(save({name: np.ascontiguousarray(value) for name, value in tensors.items()}, about))
+
+
+def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:
+    """A network and its provenance from a file; ValueError in one line for a file that is not one, or too large."""
+    from safetensors import SafetensorError, safe_open
+
+    file = Path(path)
+    if not file.is_file():
+        raise FileNotFoundError(f"the network file must exist, got {path}")
+    if file.stat().st_size > MOST_BYTES:
+        raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
+    try:
+        with safe_open(str(file), "numpy") as stored:
+            about = stored.metadata() or {}
+            tensors = {name: stored.get_tensor(name) for name in stored.keys()}  # noqa: SIM118 (not a dict)
+    except SafetensorError as error:
+        raise ValueError(f"{file.name} is not a network file (safetensors): {error}") from error
+    return network_from(file.name, about, tensors)
+
+
+def network_from(name: str, about: dict[str, str], tensors: dict[str, np.ndarray]) -> tuple[Network, dict[str, Any]]:
+    """The network that header and tensors describe; ValueError where something is missing or does not fit."""
+    if about.get("format") != "skydome network 1":
+        raise ValueError(f"{name} is not a skydome network: format {about.get('format')!r}")
+    try:
+        layers = tuple((tensors[f"weights_{k}"], tensors[f"biases_{k}"]) for k in range(len(tensors) // 2))
+        network = Network(
+            tuple(json.loads(about["features"])),
+            layers,
+            OUTPUTS[about["output"]],
+            float(about["scale"]),
+            tuple(json.loads(about["bands"])),
+        )
+        return network, json.loads(about["provenance"])
+    except (KeyError, json.JSONDecodeError) as error:
+        raise ValueError(f"{name} is damaged: {error} is missing or unreadable") from error
+
+
+def shipped_network(name: str) -> tuple[Network, dict[str, Any]]:
+    """A network that the package carries: "preetham", "hosek-wilkie" or "hosek-wilkie-spectral", and others by size.
+
+    >>> network, about = shipped_network("preetham")
+    >>> network.bytes
+    492
+    """
+    entry = DATA / "networks" / f"{name}.safetensors"
+    if not entry.is_file():
+        known = sorted(item.name.removesuffix(".safetensors") for item in (DATA / "networks").iterdir())
+        raise ValueError(f"network must be a file or one of {', '.join(known)}, got {name!r}")
+    with as_file(entry) as path:
+        return load_network(path)

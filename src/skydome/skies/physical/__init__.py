@@ -1,0 +1,9 @@
+"""Skies from first principles, and what makes them quick.
+
+- choice              The default physical sky, discrete ordinates for a high sun
+- discrete_ordinates  The physical sky by discrete ordinates, multiple scattering in layers of air
+- layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form
+- nishita             Nishita's skies: light scattered once or once and twice in spherical shells of air
+- held                A physical sky's colours, computed once on a row of nodes and then known at every direction
+- refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
+"""

@@ -1,0 +1,6 @@
+"""The sun's disc, by its published tables or through a given air.
+
+- sun_disc        The sun's disc: Hosek and Wilkie's solar radiance, limb darkening, exact irradiance
+- preetham_sun    The sun's disc through Preetham's clear air, physical in level and colour
+- atmosphere_sun  The sun's disc through an `Atmosphere`: the direct light that belongs to a physical sky
+"""

@@ -1,0 +1,216 @@
+"""In what light is counted on its way from sky to plane: lux, XYZ, RGB or wavelengths; one trailing axis for colour."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_array, projected
+from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
+from skydome.ground.directions import ZENITH
+from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
+from skydome.light.spectrum import Spectrum, checked_wavelengths
+from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.suns.sun_disc import SunDisc
+
+
+class LightKind(ABC):
+    """A way to count light: `trailing` axes (0 or 1) of `channels` behind the shape that luminance would have."""
+
+    trailing: ClassVar[int] = 1
+
+    @property
+    @abstractmethod
+    def channels(self) -> int:
+        """How many numbers stand for one light."""
+
+    @abstractmethod
+    def toward(self, sky: Sky, directions: Array) -> Array:
+        """The sky's light toward each direction (..., 3): (...,) or (..., C)."""
+
+    @abstractmethod
+    def of_sun(self, disc: SunDisc) -> Array:
+        """The sun's light on a plane that faces it: (...,) or (..., C)."""
+
+    def on_level(self, sky: Sky) -> Array:
+        """Light on the level plane under the open sky, sun's discs and all: the sky's leading axes, then (C,)."""
+        discs, rest = discs_and_rest(sky)
+        nodes, weights = projected(ZENITH, ZENITH)
+        total: Array = 0.0
+        for part in rest:
+            total = total + self.weighted(self.toward(part, in_library_of(nodes, part)), weights)
+        for disc, factor in discs:
+            total = total + self.sun_on(disc, ZENITH, factor)
+        return total
+
+    def sun_on(self, disc: SunDisc, normal: np.ndarray, factor: Any) -> Array:
+        """The disc's light on a plane facing `normal` (3,), times `factor`: the sun's leading axes, then (C,)."""
+        sun = floating(disc.sun)
+        xp = namespace(sun)
+        cosine = at_least(xp.sum(sun * constant(normal, sun), axis=-1), 0.0) * factor
+        light = self.of_sun(disc) * (cosine[..., None] if self.trailing else cosine)
+        axis = light.ndim - 1 - self.trailing
+        if axis < 0 or light.shape[axis] != 1:
+            return light
+        return light[..., 0, :] if self.trailing else light[..., 0]
+
+    def weighted(self, light: Array, weights: Any) -> Array:
+        """Sum over directions of light (..., M) or (..., M, C) times `weights` (M,)."""
+        own = constant(as_numpy(weights), light)
+        return own @ light if self.trailing else light @ own
+
+    def pick(self, light: Array, index: int) -> Array:
+        """The light of one face of (..., N) or (..., N, C)."""
+        return light[..., index, :] if self.trailing else light[..., index]
+
+    def shares(self, value: Any) -> np.ndarray:
+        """A reflectance, or one of each of N faces, as numbers: (), (N,), or (C,), (N, C) in colour.
+
+        ValueError for spectra or channels that do not fit this kind of light.
+        """
+        if isinstance(value, Spectrum):
+            raise ValueError("a reflectance by wavelength needs light=LightInWavelengths(...)")
+        return np.asarray(value, dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class LightInLux(LightKind):
+    """Luminance, cd m-2, and illuminance, lx; no channels."""
+
+    trailing: ClassVar[int] = 0
+
+    @property
+    def channels(self) -> int:
+        """One."""
+        return 1
+
+    def toward(self, sky: Sky, directions: Array) -> Array:
+        """Luminance, cd m-2."""
+        return sky.luminance(directions)
+
+    def of_sun(self, disc: SunDisc) -> Array:
+        """Normal illuminance, lx."""
+        return disc.normal_xyz[..., 1]
+
+    def on_level(self, sky: Sky) -> Array:
+        """Horizontal illuminance, lx."""
+        return illuminance(sky)
+
+
+@dataclass(frozen=True)
+class LightInXYZ(LightKind):
+    """CIE 1931 X, Y, Z, Y in cd m-2 or lx."""
+
+    @property
+    def channels(self) -> int:
+        """Three."""
+        return 3
+
+    def toward(self, sky: Sky, directions: Array) -> Array:
+        """XYZ; TypeError for a sky that knows luminance only."""
+        return coloured(sky).xyz(directions)
+
+    def of_sun(self, disc: SunDisc) -> Array:
+        """Normal XYZ."""
+        return disc.normal_xyz
+
+
+@dataclass(frozen=True)
+class LightInRGB(LightInXYZ):
+    """Linear red, green, blue of a colour `space`; white of 1 lx is (1, 1, 1). Reflectances may be (3,)."""
+
+    space: RGBSpace = field(default=SRGB)
+
+    def toward(self, sky: Sky, directions: Array) -> Array:
+        """RGB; TypeError for a sky that knows luminance only."""
+        return coloured(sky).rgb(directions, self.space)
+
+    def of_sun(self, disc: SunDisc) -> Array:
+        """Normal RGB."""
+        return rgb_from_xyz(disc.normal_xyz, self.space)
+
+
+@dataclass(frozen=True, eq=False)
+class LightInWavelengths(LightKind):
+    """Spectral radiance, W m-2 sr-1 nm-1, and irradiance, W m-2 nm-1, at `wavelengths` (W,), nm.
+
+    Reflectances may be a `Spectrum` or (W,).
+    """
+
+    wavelengths: Any
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        checked_wavelengths(self.wavelengths)
+
+    @property
+    def channels(self) -> int:
+        """One a wavelength."""
+        return len(self.wavelengths)
+
+    def toward(self, sky: Sky, directions: Array) -> Array:
+        """Spectral radiance; TypeError for a sky without a spectrum."""
+        if not isinstance(sky, SpectralSky):
+            raise TypeError(f"{type(sky).__name__} knows no spectrum; wrap it: skydome.Daylight(sky)")
+        return sky.radiance(directions, self.wavelengths)
+
+    def of_sun(self, disc: SunDisc) -> Array:
+        """Normal spectral irradiance."""
+        return disc.irradiance(self.wavelengths)
+
+    def shares(self, value: Any) -> np.ndarray:
+        """A reflectance as numbers, see `LightKind.shares`; spectra at the wavelengths."""
+        return value.at(self.wavelengths) if isinstance(value, Spectrum) else super().shares(value)
+
+
+def coloured(sky: Sky) -> ColourSky:
+    """The sky, known to have colour; TypeError for one that has none."""
+    if not isinstance(sky, ColourSky):
+        raise TypeError(colourless(sky))
+    return sky
+
+
+LUX = LightInLux()
+
+BELOW_ONE = float(np.nextafter(1.0, 0.0))
+"""The most that faces may reflect which see each other."""
+
+
+def in_library_of(table: np.ndarray, sky: Sky) -> Array:
+    """A NumPy table in the library, dtype and device of the sky's own arrays."""
+    like = own_array(sky)
+    return table if like is None else constant(table, like)
+
+
+def side_by_side(columns: Sequence[Any], light: LightKind) -> Array:
+    """The light of several places, each (...,) or (..., C), as one array (..., P) or (..., P, C)."""
+    xp = namespace(columns[0])
+    return xp.stack([xp.asarray(column) for column in columns], axis=-1 - light.trailing)
+
+
+def channelled(value: Any, light: LightKind, faces: int | None = None) -> np.ndarray:
+    """A reflectance as () or (C,), or with `faces` as (N,) or (N, C): one of each face, of each channel, or of all.
+
+    ValueError for a shape that is none of these.
+    """
+    shares = light.shares(value)
+    channels = (light.channels,) if light.trailing else ()
+    fits = [(), *([channels] if channels else [])]
+    if faces is not None:
+        fits += [(faces,), (faces, *channels)]
+    if shares.shape not in fits:
+        raise ValueError(f"a reflectance must have one of the shapes {fits}, got {shares.shape}")
+    if faces is None:
+        return shares
+    if shares.shape == (faces,):
+        return shares
+    return np.broadcast_to(shares, (faces, *shares.shape[-1:]) if shares.ndim else (faces,))
+
+
+def check_shares(name: str, value: Any, most: float = 1.0) -> None:
+    """ValueError unless every reflectance lies in [0, 1], or in [0, 1) with `most` below 1."""
+    numbers = value.values if isinstance(value, Spectrum) else np.asarray(value, dtype=np.float64)
+    if not ((numbers >= 0) & (numbers <= most)).all():
+        raise ValueError(f"{name} must lie in [0, 1{']' if most == 1 else ')'}, got {value}")

@@ -1,0 +1,7 @@
+"""Years of daylight: weather files in, skies of every hour, files out.
+
+- weather/    Weather in: files of every common kind become one record of a place and its hours
+- skies/      The skies of a year's hours on the dome's patches
+- gendaymtx/  A year by the rules of Radiance's gendaymtx, number by number
+- stores/     A year out: stores and files that appear whole or not at all
+"""

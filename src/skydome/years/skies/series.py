@@ -1,0 +1,173 @@
+"""A year of skies on the dome's patches, as an xarray Dataset: `year("site.epw")`."""
+
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from skydome.dome.patches import Patches
+from skydome.dome.patches import patches as patches_named
+from skydome.ground.directions import azimuth, zenith_angle
+from skydome.ground.units import deg
+from skydome.years.skies import status as flags
+from skydome.years.skies.colour_year import Clear, Weathered, add_colour, add_spectrum
+from skydome.years.skies.dome_means import dome_means
+from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
+from skydome.years.weather.plausibility import warn_of_wrong_place
+from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.years.weather.weather import Weather, read_weather
+
+if TYPE_CHECKING:
+    import xarray
+
+Compat = Literal["paper", "gendaylit", "gendaymtx"]
+COMPATS = ("paper", "gendaylit", "gendaymtx")
+
+
+def year(
+    weather: "Weather | str | PathLike[str]",
+    model: str = "perez",
+    patches: "str | Patches" = "tregenza",
+    compat: Compat = "paper",
+    smooth: bool = False,
+    colour: Clear | None = None,
+    wavelengths: Any = None,
+    turbidity: Any = 3.0,
+    clouds: Any = None,
+    calendar_year: int | None = None,
+    track: SunTrack | None = None,
+) -> "xarray.Dataset":
+    """The skies of a year: luminance (time, patch), cd m-2, float32, with sun, illuminances and status by the interval.
+
+    `weather` is a file that `read_weather` knows, or a `Weather`. Patches hold true means, levelled so that together
+    they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun's disc is not in them: it is
+    `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
+    1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
+    neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
+    patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch,
+    wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky
+    and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
+    luminance.
+
+    >>> import pandas as pd, skydome as sd
+    >>> from skydome.years.weather.tmy import from_frame
+    >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
+    >>> frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
+    >>> skies = year(from_frame(frame, sd.Place(45.07, 7.69)))
+    >>> skies.luminance.shape
+    (12, 145)
+    >>> bool(np.allclose(skies.luminance @ skies.horizontal_solid_angle, skies.diffuse_horizontal_illuminance))
+    True
+    """
+    if model != "perez":
+        raise ValueError(f'model must be "perez", got {model!r}')
+    if compat not in COMPATS:
+        raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
+    if not isinstance(weather, Weather):
+        weather = read_weather(weather, calendar_year)
+    cut = patches_named(patches)
+    sky = perez_year(weather, "gendaylit" if compat == "gendaylit" else "paper", track)
+    warn_of_wrong_place(weather, sky.share)
+    luminance = np.zeros((weather.count, cut.count), np.float32)
+    if compat == "gendaymtx":
+        luminance = gendaymtx_luminance(weather, cut)
+    elif smooth:
+        smooth_luminance(sky, cut, luminance)
+    else:
+        dome_means(sky.skies, sky.diffuse, cut, rows=sky.lit, out=luminance)
+    black = sky.lit[~luminance[sky.lit].any(axis=1) & (sky.diffuse > 0)]
+    luminance[black] = sky.diffuse[np.searchsorted(sky.lit, black), None] / np.pi
+    sky.status[black] |= flags.BITS["uniform"]
+    luminance[weather.missing] = np.nan
+    data = dataset(weather, sky, cut, luminance)
+    data.attrs |= {"compat": compat, "smooth": int(smooth), "model": "Perez all-weather 1993"}
+    if compat == "gendaymtx":
+        data["diffuse_horizontal_illuminance"].values[:] = luminance @ cut.horizontal_solid_angles
+    if colour is not None:
+        air = Weathered.of(sky, weather.count, turbidity, clouds)
+        add_colour(data, sky, cut, colour, air)
+        if wavelengths is not None:
+            add_spectrum(data, sky, cut, colour, air, wavelengths)
+    elif wavelengths is not None:
+        raise ValueError('wavelengths need a colour: "preetham" or "hosek-wilkie"')
+    return data
+
+
+def smooth_luminance(sky: PerezYear, cut: Patches, out: np.ndarray) -> None:
+    """Write the blend of the skies of the neighbouring bins, each levelled, into `out` (T, N)."""
+    low, high, weight = neighbours(sky, zenith_angle(sky.skies.suns))
+    below = dome_means(low, sky.diffuse * (1 - weight), cut)
+    out[sky.lit] = below + dome_means(high, sky.diffuse * weight, cut)
+
+
+def gendaymtx_luminance(weather: Weather, cut: Patches) -> np.ndarray:
+    """Luminance (T, N) by gendaymtx's rules; ValueError for patches that it does not know."""
+    from skydome.years.gendaymtx.matrix import WHITE_EFFICACY, matrix, tape_from
+
+    division = round(((cut.count - 1) / 144) ** 0.5)
+    if cut.name not in ("tregenza", f"reinhart:{division}"):
+        raise ValueError(f'compat="gendaymtx" needs Reinhart\'s patches, got {cut.name}')
+    return np.ascontiguousarray(matrix(tape_from(weather), division)[1:].T) * np.float32(WHITE_EFFICACY)
+
+
+def dataset(weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarray) -> "xarray.Dataset":
+    """The Dataset of luminances with its coordinates, the sun, the illuminances and the flags."""
+    import xarray
+
+    def at_lit(values: np.ndarray) -> np.ndarray:
+        every = np.zeros(weather.count)
+        every[sky.lit] = values
+        return np.where(weather.missing, np.nan, every)
+
+    direct, diffuse = (np.where(weather.missing, np.nan, value) for value in weather.irradiances)
+    state = sky.status.copy()
+    cut_off = (luminance[sky.lit] == 0).any(axis=1) & (sky.diffuse > 0)
+    state[sky.lit[cut_off]] |= flags.BITS["cut_off"]
+    turn = azimuth(sky.suns) / deg
+    columns = {
+        "luminance": (luminance, "cd m-2", "mean luminance of the patch, without the sun's disc"),
+        "sun_azimuth": (turn, "degree", "azimuth of the sun, clockwise from north"),
+        "sun_elevation": (90 - zenith_angle(sky.suns) / deg, "degree", "true elevation of the sun"),
+        "sun_patch": (cut.index(sky.suns).astype(np.int32), "1", "patch in which the sun stands, -1 below the horizon"),
+        "lit_share": (sky.share, "1", "share of the interval in which the sun is up"),
+        "direct_normal_irradiance": (direct, "W m-2", "direct normal irradiance, given or found from light"),
+        "diffuse_horizontal_irradiance": (diffuse, "W m-2", "diffuse horizontal irradiance, given or found from light"),
+        "direct_normal_illuminance": (at_lit(sky.direct), "lx", "illuminance of the sun on a plane facing it"),
+        "diffuse_horizontal_illuminance": (at_lit(sky.diffuse), "lx", "diffuse horizontal illuminance"),
+        "clearness": (at_lit(sky.clearness), "1", "Perez's sky clearness"),
+        "brightness": (at_lit(sky.brightness), "1", "Perez's sky brightness"),
+    }
+    dims = {"luminance": ("time", "patch")}
+    variables: dict[str, Any] = {
+        name: (dims.get(name, ("time",)), value, {"units": unit, "long_name": text})
+        for name, (value, unit, text) in columns.items()
+    }
+    variables["status"] = (("time",), state, flags.attributes())
+    place = weather.place
+    about = {
+        "title": f"A year of skies{weather.where}",
+        "latitude": place.latitude,
+        "longitude": place.longitude,
+        "altitude": place.altitude,
+        "utc_offset": weather.utc_offset,
+        "patches": cut.name,
+        "frame": "azimuth clockwise from north; patches in Radiance's order without the ground",
+    }
+    return xarray.Dataset(variables, coordinates(weather, sky, cut), about)
+
+
+def coordinates(weather: Weather, sky: PerezYear, cut: Patches) -> dict[str, Any]:
+    """The middle of each interval (UTC) and the instant the sun is taken at; the patches' places and sizes."""
+
+    def of_patch(values: np.ndarray, unit: str, text: str) -> tuple[str, np.ndarray, dict[str, str]]:
+        return "patch", values, {"units": unit, "long_name": text}
+
+    return {
+        "time": ("time", weather.middle.astype("datetime64[ns]"), {"long_name": "middle of the interval, UTC"}),
+        "sun_time": ("time", sky.times.astype("datetime64[ns]"), {"long_name": "instant of the sun's place, UTC"}),
+        "patch": ("patch", np.arange(cut.count, dtype=np.int32)),
+        "patch_azimuth": of_patch(cut.azimuths / deg, "degree", "azimuth of the centre"),
+        "patch_elevation": of_patch(cut.elevations / deg, "degree", "elevation of the centre"),
+        "solid_angle": of_patch(cut.solid_angles, "sr", "solid angle"),
+        "horizontal_solid_angle": of_patch(cut.horizontal_solid_angles, "sr", "integral of the sine of elevation"),
+    }

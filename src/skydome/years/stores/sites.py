@@ -1,0 +1,141 @@
+"""Many sites, one Zarr store: computed by Dask workers, each site written whole, resumed where it stopped."""
+
+import csv
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from skydome.years.stores.sites_store import DONE, FAILED, HOURS, mark, open_store, write_site
+from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.years.weather.weather import Weather, read_weather
+
+SITES_A_TASK = 5
+
+
+@dataclass(frozen=True)
+class Site:
+    """A row of sites.csv: its number there, a name, a weather file."""
+
+    row: int
+    name: str
+    file: str
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a site: its place in the store, and what went wrong, if anything."""
+
+    index: int
+    error: str = ""
+
+
+def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = None) -> tuple[list[Site], list[str]]:
+    """The sites of a CSV with columns `name` and `file`, and a line for each bad row; files lie in `folder`.
+
+    ValueError where the columns are missing.
+    """
+    base = Path(folder) if folder is not None else Path(path).parent
+    sites, bad = [], []
+    with open(path, newline="", encoding="utf-8") as file:
+        table = csv.DictReader(file)
+        if table.fieldnames is None or not {"name", "file"} <= set(table.fieldnames):
+            raise ValueError(f"{Path(path).name} needs columns name and file, got {table.fieldnames}")
+        for row, cells in enumerate(table, start=2):
+            name, weather = (cells.get("name") or "").strip(), (cells.get("file") or "").strip()
+            if not name or not weather:
+                bad.append(f"line {row}: name and file must be given, got {name!r} and {weather!r}")
+            elif not (base / weather).is_file():
+                bad.append(f"line {row} ({name}): no such file as {base / weather}")
+            else:
+                sites.append(Site(row, name, str(base / weather)))
+    return sites, bad
+
+
+def make_sites(store: str, work: list[tuple[int, Site]], choices: dict[str, Any]) -> list[Outcome]:
+    """Compute and write some sites; one that fails is told and the others go on. Each is marked done last of all."""
+    tracks: dict[Any, SunTrack] = {}  # sites of one time zone share the sun's
+    return [one_site(store, index, site, choices, tracks) for index, site in work]
+
+
+def one_site(
+    store: str, index: int, site: Site, choices: dict[str, Any], tracks: dict[Any, SunTrack] | None = None
+) -> Outcome:
+    """Compute and write one site: its arrays whole, then its state."""
+    from skydome.years.skies.series import year
+
+    try:
+        weather = read_weather(site.file)
+        if weather.count != HOURS:
+            raise ValueError(f"a year here has {HOURS} hours, got {weather.count}")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            data = year(weather, track=track_of(weather, tracks), **choices)
+    except (ValueError, OSError) as error:
+        mark(store, index, FAILED)
+        return Outcome(index, f"line {site.row} ({site.name}): {error}")
+    write_site(store, index, data, weather.middle)
+    told = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
+    return Outcome(index, f"line {site.row} ({site.name}): warning: {told}" if told else "")
+
+
+def track_of(weather: Weather, tracks: dict[Any, SunTrack] | None) -> SunTrack:
+    """The sun over the year of a site, from those known where the days are the same."""
+    days = (weather.start[0].astype("datetime64[D]"), weather.end[-1].astype("datetime64[D]"))
+    tracks = {} if tracks is None else tracks
+    if days not in tracks:
+        tracks[days] = SunTrack.over(weather.start[0], weather.end[-1])
+    return tracks[days]
+
+
+def run_sites(
+    store: str | PathLike[str],
+    sites: list[Site],
+    scheduler: str | None = None,
+    workers: int = 2,
+    progress: Callable[[int, int], None] | None = None,
+    **choices: Any,
+) -> list[str]:
+    """Fill the store on a Dask cluster (`scheduler` address, or worker processes of this machine); what to tell.
+
+    Sites that are done already are left; a worker that dies has its sites done again by another. Every site's numbers
+    are the same, whoever computes them. `progress(done, total)` is called as sites come in.
+    """
+    from dask.distributed import Client, LocalCluster, as_completed
+
+    group = open_store(store, sites, choices)
+    state = group["state"][:]
+    open_work = [(k, site) for k, site in enumerate(sites) if state[k] != DONE]
+    batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
+    told: list[str] = []
+    done = len(sites) - len(open_work)
+    if progress is not None:
+        progress(done, len(sites))
+    if not batches:
+        return told
+    with cluster_client(Client, LocalCluster, scheduler, workers) as client:
+        futures = [client.submit(make_sites, str(store), batch, choices, pure=False, retries=3) for batch in batches]
+        for future in as_completed(futures):
+            outcomes = future.result()
+            told += [outcome.error for outcome in outcomes if outcome.error]
+            done += len(outcomes)
+            if progress is not None:
+                progress(done, len(sites))
+    return sorted(told)
+
+
+def cluster_client(client: Any, cluster: Any, scheduler: str | None, workers: int) -> Any:
+    """A client of the scheduler at an address, or of new single-threaded worker processes here."""
+    from contextlib import contextmanager
+
+    @contextmanager
+    def here() -> Iterator[Any]:
+        with (
+            cluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as local,
+            client(local) as connected,
+        ):
+            yield connected
+
+    return client(scheduler) if scheduler is not None else here()

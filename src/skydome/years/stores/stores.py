@@ -1,0 +1,98 @@
+"""A Dataset to a Zarr store or a netCDF file that appears whole or not at all."""
+
+import os
+import secrets
+import shutil
+import time
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from skydome.dome.patches import patches as patches_named
+from skydome.ground.writing import appearing
+from skydome.years.skies.series import year
+from skydome.years.weather.plausibility import warn_of_wrong_place
+from skydome.years.weather.weather import Weather
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
+    """Write .zarr (a folder) or .nc; what was there before stays until the new one is whole.
+
+    ValueError for another ending; OSError with nothing left behind where the disk is full.
+    """
+    final = Path(path)
+    if final.suffix == ".nc":
+        # In memory first: on a full disk libhdf5 does not only fail, it takes the process with it.
+        content = data.to_netcdf(engine="h5netcdf", encoding={"luminance": {"zlib": True, "complevel": 1}})
+        with appearing(final) as beside:
+            beside.write_bytes(content)
+        return
+    if final.suffix != ".zarr":
+        raise ValueError(f"a year must be written as .zarr or .nc, got {final.name!r}")
+    with store_appearing(final) as beside:
+        data.to_zarr(beside, mode="w-")
+
+
+def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: int = 1 << 25, **choices: Any) -> None:
+    """Write the Dataset of `year(weather, **choices)` to a Zarr store some hours at a time, in bounded memory.
+
+    About `values_at_once` float32 numbers are held of the largest variable. ValueError for compat="gendaymtx", whose
+    dew points look back.
+    """
+    if choices.get("compat") == "gendaymtx":
+        raise ValueError('compat="gendaymtx" is written whole: use year(...) and write_dataset')
+    wavelengths = choices.get("wavelengths")
+    each = max(3, 0 if wavelengths is None else np.size(wavelengths))
+    hours = max(24, values_at_once // (each * patches_named(choices.get("patches", "tregenza")).count))
+    warn_of_wrong_place(weather)
+    with store_appearing(Path(path)) as beside:
+        for k in range(0, weather.count, hours):
+            part = slice(k, min(k + hours, weather.count))
+            hourly = {name: choices[name] for name in ("turbidity", "clouds") if np.ndim(choices.get(name, 0.0))}
+            given = choices | {name: values[part] for name, values in hourly.items()}
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # the place has been looked at already
+                data = year(weather.rows(part), **given)
+                data.attrs["title"] = f"A year of skies{weather.where}"
+                if k == 0:
+                    clock = {"units": "seconds since 1970-01-01", "dtype": "int64"}
+                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock})
+                else:
+                    moving = [name for name in data.variables if "time" not in data[name].dims]
+                    data.drop_vars(moving).to_zarr(beside, append_dim="time")
+
+
+@contextmanager
+def store_appearing(final: Path) -> Iterator[Path]:
+    """The name of a folder beside `final` that becomes it on leaving, and is removed on any error."""
+    beside = final.with_name(f".{final.name}.{secrets.token_hex(4)}.part")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # zarr tells of consolidated metadata, which xarray writes on purpose
+            yield beside
+        old = final.with_name(f".{final.name}.{secrets.token_hex(4)}.old")
+        if final.exists():
+            final.rename(old)
+        beside.rename(final)
+        shutil.rmtree(old, ignore_errors=True)
+    except BaseException:
+        remove_for_good(beside)
+        raise
+
+
+def remove_for_good(folder: Path, quiet: float = 0.2, patience: float = 10.0) -> None:
+    """Remove a folder into which writing threads may still put files: until it stays away for `quiet` seconds."""
+    end = time.monotonic() + patience
+    since = time.monotonic()
+    while time.monotonic() < end and time.monotonic() - since < quiet:
+        if folder.exists():
+            shutil.rmtree(folder, ignore_errors=True)
+            since = time.monotonic()
+        time.sleep(0.02)

@@ -1,0 +1,127 @@
+"""Weather: a place, intervals of time and the irradiances measured in them, read from every common file."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skydome.sun.place import Place
+from skydome.years.weather.calendar import Label
+
+LEAST_IRRADIANCE, GREATEST_IRRADIANCE = -10.0, 2000.0
+"""Irradiances outside are refused, W m-2; those from -10 to 0 are sensor offsets and count as 0."""
+
+
+@dataclass(frozen=True, eq=False)
+class Weather:
+    """Irradiances of a place in T intervals of time.
+
+    `start` and `end` (T,) are UTC, datetime64[s] (equal for instants); `direct_normal` and `diffuse_horizontal` (T,)
+    in W m-2 and `dew_point` (T,) in degrees C, each NaN where missing. `utc_offset` is the file's standard time,
+    hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
+    `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
+    """
+
+    place: Place
+    start: np.ndarray
+    end: np.ndarray
+    direct_normal: np.ndarray
+    diffuse_horizontal: np.ndarray
+    dew_point: np.ndarray
+    utc_offset: float = 0.0
+    name: str = ""
+    label: Label = "end"
+    direct_illuminance: np.ndarray | None = None
+    diffuse_illuminance: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        if len(self.start) == 0:
+            raise ValueError(f"weather must have at least one row of data, got none{self.where}")
+        for name in ("direct_normal", "diffuse_horizontal"):
+            value = getattr(self, name)
+            wrong = np.flatnonzero((value < LEAST_IRRADIANCE) | (value > GREATEST_IRRADIANCE))
+            if wrong.size:
+                raise ValueError(
+                    f"{name} must lie in [{LEAST_IRRADIANCE:g}, {GREATEST_IRRADIANCE:g}] W m-2, got "
+                    f"{value[wrong[0]]:g} in row {wrong[0] + 1} of the data{self.where}"
+                )
+        steps = np.diff(self.middle.astype(np.int64))
+        if (steps <= 0).any():
+            row = int(np.flatnonzero(steps <= 0)[0]) + 2
+            raise ValueError(f"times must increase, got a step back in row {row} of the data{self.where}")
+
+    @property
+    def where(self) -> str:
+        """The name for messages."""
+        return f" ({self.name})" if self.name else ""
+
+    @property
+    def count(self) -> int:
+        """How many intervals there are."""
+        return len(self.start)
+
+    @cached_property
+    def middle(self) -> np.ndarray:
+        """The middle of each interval, UTC, datetime64[s], (T,)."""
+        middle: np.ndarray = self.start + (self.end - self.start) // 2
+        return middle
+
+    @property
+    def local(self) -> np.ndarray:
+        """The middle of each interval by the file's standard time, datetime64[s] without zone, (T,)."""
+        local: np.ndarray = self.middle + np.timedelta64(round(self.utc_offset * 3600), "s")
+        return local
+
+    @property
+    def missing(self) -> np.ndarray:
+        """True where an irradiance is missing, (T,)."""
+        unknown: np.ndarray = np.isnan(self.direct_normal) | np.isnan(self.diffuse_horizontal)
+        return unknown
+
+    @property
+    def negative(self) -> np.ndarray:
+        """True where an irradiance is a little below 0, which counts as 0, (T,)."""
+        below: np.ndarray = (self.direct_normal < 0) | (self.diffuse_horizontal < 0)
+        return below
+
+    @property
+    def irradiances(self) -> tuple[np.ndarray, np.ndarray]:
+        """Direct normal and diffuse horizontal, W m-2, with 0 for negative ones and for missing hours, each (T,)."""
+        known = ~self.missing
+        direct, diffuse = (np.where(known, value, 0.0) for value in (self.direct_normal, self.diffuse_horizontal))
+        return np.maximum(direct, 0.0), np.maximum(diffuse, 0.0)
+
+    def at(self, place: Place) -> "Weather":
+        """The same weather at another place (to put right a wrong sign)."""
+        return replace(self, place=place)
+
+    def rows(self, chosen: Any) -> "Weather":
+        """The intervals `chosen` by a slice, a mask or indices."""
+        names = ["start", "end", "direct_normal", "diffuse_horizontal", "dew_point"]
+        names += ["direct_illuminance", "diffuse_illuminance"] if self.diffuse_illuminance is not None else []
+        return replace(self, **{name: getattr(self, name)[chosen] for name in names})
+
+
+def read_weather(path: str | PathLike[str], year: int | None = None) -> Weather:
+    """The weather in an EPW, WEA, TMY3 (.csv) or TM2 file, told by its ending.
+
+    `year` lays the rows in that calendar year; None keeps the file's own where all rows have the same one, and else
+    takes 2023, or 2024 where there is a 29 February. ValueError with the line for what cannot be read.
+    """
+    ending = Path(path).suffix.lower()
+    if ending == ".epw":
+        from skydome.years.weather.epw import read_epw
+
+        return read_epw(path, year)
+    if ending == ".wea":
+        from skydome.years.weather.wea import read_wea
+
+        return read_wea(path, year)
+    if ending in (".csv", ".tm2"):
+        from skydome.years.weather.tmy import read_tm2, read_tmy3
+
+        return (read_tmy3 if ending == ".csv" else read_tm2)(path, year)
+    raise ValueError(f"a weather file must end in .epw, .wea, .csv (TMY3) or .tm2, got {Path(path).name!r}")
