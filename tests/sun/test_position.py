@@ -128,18 +128,3 @@ def test_preetham_a6_shapes():
     toward = preetham_sun_direction(TURIN, times)
     assert toward.shape == (4, 6, 3)
     assert (angle_between(toward, sun_direction(TURIN, times)) < 1.5 * deg).all()
-
-
-def test_equals_pvlibs_public_function():
-    """`skydome.sun.spa` loads pvlib's algorithm by its file: the same numbers as through the front door."""
-    import pandas as pd
-    from pvlib.solarposition import nrel_earthsun_distance, spa_python
-
-    times = pd.date_range("1999-01-01", "2031-01-01", 500, tz="UTC")
-    place = Place(45.07, 7.69, 2400.0)
-    table = spa_python(times, place.latitude, place.longitude, place.altitude, delta_t=None)
-    for refraction, column in ((False, "elevation"), (True, "apparent_elevation")):
-        azimuth, elevation = sun_angles(place, times, refraction, pressure=101325.0)
-        np.testing.assert_allclose(np.degrees(azimuth), table["azimuth"], atol=1e-9)
-        np.testing.assert_allclose(np.degrees(elevation), table[column], atol=1e-9)
-    np.testing.assert_allclose(earth_sun_distance(times), nrel_earthsun_distance(times, delta_t=None), rtol=1e-12)
