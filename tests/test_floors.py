@@ -14,7 +14,7 @@ FLOORS = {
 }  # fmt: skip
 EAGER_ALLOWED = {"numpy", "skydome", "array_api_compat"}
 HEAVY = {
-    "pvlib", "pandas", "matplotlib", "OpenEXR", "PIL", "numba", "scipy", "torch", "jax", "xarray", "dask", "zarr",
+    "erfa", "pvlib", "pandas", "matplotlib", "OpenEXR", "PIL", "numba", "scipy", "torch", "jax", "xarray", "dask", "zarr",
     "mitsuba", "colour", "array_api_compat", "nanodisort", "rasterio", "trimesh",
 }  # fmt: skip
 ROOT = Path(skydome.__file__).parent

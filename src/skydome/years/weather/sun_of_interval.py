@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.ground.units import deg
 from skydome.sun.place import Place
-from skydome.sun.position import earth_sun_distance, sun_direction
+from skydome.sun.position import earth_sun_distance, local_axes, sun_direction
 from skydome.years.weather.weather import Weather
 
 DAY = 86400.0
@@ -68,15 +68,6 @@ class SunTrack:
         """Unit vectors toward the sun (..., 3), x east, y north, z up, at a place and seconds since 1970 (UTC)."""
         toward: np.ndarray = self.earth_fixed(seconds) @ local_axes(place).T
         return toward
-
-
-def local_axes(place: Place) -> np.ndarray:
-    """East, north and up of a place in the earth's axes, the rows of a (3, 3) array."""
-    b, along = place.latitude * deg, place.longitude * deg
-    east = [-np.sin(along), np.cos(along), 0.0]
-    north = [-np.sin(b) * np.cos(along), -np.sin(b) * np.sin(along), np.cos(b)]
-    up = [np.cos(b) * np.cos(along), np.cos(b) * np.sin(along), np.sin(b)]
-    return np.array([east, north, up])
 
 
 @dataclass(frozen=True, eq=False)
