@@ -14,8 +14,8 @@ FLOORS = {
 }  # fmt: skip
 EAGER_ALLOWED = {"numpy", "skydome", "array_api_compat"}
 HEAVY = {
-    "erfa", "pvlib", "pandas", "matplotlib", "OpenEXR", "PIL", "numba", "scipy", "torch", "jax", "xarray", "dask", "zarr",
-    "mitsuba", "colour", "array_api_compat", "nanodisort", "rasterio", "trimesh",
+    "pvlib", "pandas", "matplotlib", "OpenEXR", "PIL", "numba", "scipy", "torch", "jax", "xarray", "dask", "zarr",
+    "erfa", "mitsuba", "colour", "array_api_compat", "nanodisort", "rasterio", "trimesh",
 }  # fmt: skip
 ROOT = Path(skydome.__file__).parent
 FILES = sorted(path for path in ROOT.rglob("*.py") if path.parent != ROOT)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skydome.ground.units import deg
 from skydome.sun.place import Place
 from skydome.sun.position import earth_sun_distance, local_axes, sun_direction
 from skydome.years.weather.weather import Weather
