@@ -11,7 +11,6 @@ from aerial_perspective_published import published_veil
 
 import skydome as sd
 from skydome import deg
-from skydome.haze.fast import FastAir
 from skydome.haze.integrals import FewNodes, Ray
 from skydome.haze.published import PublishedClosedForm
 
@@ -47,7 +46,7 @@ def image():
     distance = np.where(views[..., 2] < -0.02, np.minimum(distance, 2500 / np.abs(views[..., 2])), distance).astype(
         "f4"
     )
-    fast = FastAir.of(light)
+    fast = light.fast
     whole = partial(fast.at, distance, views, 2000.0)
     tables, shape = fast.tables, views.shape
     out = np.empty((views.size // 3, 3), np.float32), np.empty((views.size // 3, 3), np.float32)

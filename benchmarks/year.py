@@ -92,8 +92,8 @@ def many_sites(tape, counts):
 def tape_of_pvlib(folder):
     import pvlib
 
+    from skydome.years.weather.reading import read_weather
     from skydome.years.weather.wea import write_wea
-    from skydome.years.weather.weather import read_weather
 
     path = Path(folder) / "greensboro.wea"
     write_wea(read_weather(Path(pvlib.__file__).parent / "data" / "723170TYA.CSV"), path)

@@ -11,6 +11,7 @@ import pytest
 from skydome.skies.neural.files import load_network
 from skydome.skies.neural.network import OUTPUTS
 from skydome.training.backpropagation import Backpropagation
+from skydome.training.halving import Halving
 from skydome.training.journal import Journal
 from skydome.training.lessons import TEACHERS, even_sequence, held_out, published_lesson
 from skydome.training.levenberg_marquardt import (
@@ -24,15 +25,17 @@ from skydome.training.levenberg_marquardt import (
     solved_last_layer,
 )
 from skydome.training.losses import MixedLoss, SumLoss, TargetLoss
-from skydome.training.method import Task
+from skydome.training.method import Recipe, Task
 from skydome.training.pruning import GrowAndPrune, grown, pruned, without
-from skydome.training.recipes import RECIPES, Recipe
+from skydome.training.recipes import RECIPES
 from skydome.training.train import train, train_on
 from skydome.training.validation import validated
 from skydome.training.variable_projection import VariableProjection, gradient, projected
 
 PREETHAM, SPECTRAL = TEACHERS["preetham"], TEACHERS["hosek-wilkie-spectral"]
-SMALL = Recipe(starts=3, start_steps=4, rounds=((2, 5),), steps=100, start_samples=500, most_samples=1500)
+SMALL = Recipe(
+    starts=3, start_steps=4, rounds=((2, 5),), steps=100, start_samples=500, most_samples=1500, method=Halving()
+)
 METHODS = {
     "Levenberg-Marquardt": (PREETHAM, SMALL),
     "grown and pruned": (PREETHAM, replace(SMALL, rounds=((2, 2), (1, 1)), method=GrowAndPrune(grown=5, between=3))),

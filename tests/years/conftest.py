@@ -8,8 +8,9 @@ import pvlib
 import pytest
 
 from skydome.years.weather.calendar import month_day_hour
+from skydome.years.weather.reading import read_weather
 from skydome.years.weather.wea import write_wea
-from skydome.years.weather.weather import Weather, read_weather
+from skydome.years.weather.weather import Weather
 
 DATA = Path(pvlib.__file__).parent / "data"
 HEADER = """LOCATION,{name},-,USA,made,000000,{latitude},{longitude},{offset},{altitude}

@@ -12,7 +12,7 @@ from skydome.years.gendaymtx.conditions import conditions
 from skydome.years.gendaymtx.rows import rows_of
 from skydome.years.gendaymtx.sun import Sun
 from skydome.years.gendaymtx.text import read
-from skydome.years.weather.weather import read_weather
+from skydome.years.weather.reading import read_weather
 
 WHITE = ("-c", 1, 1, 1)
 

@@ -14,7 +14,7 @@ from skydome.years.skies.dome_means import PerezSkies, by_numpy, dome_means, sam
 from skydome.years.skies.perez_year import perez_year
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS, counts
-from skydome.years.weather.weather import read_weather
+from skydome.years.weather.reading import read_weather
 
 
 @pytest.fixture(scope="session")

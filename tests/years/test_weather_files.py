@@ -11,10 +11,10 @@ import skydome as sd
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS
 from skydome.years.weather.plausibility import share_at_night, warn_of_wrong_place
+from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import SunTrack, crossing, lit_sun
 from skydome.years.weather.tmy import from_frame
 from skydome.years.weather.wea import read_wea, write_wea
-from skydome.years.weather.weather import read_weather
 
 DATA = Path(pvlib.__file__).parent / "data"
 

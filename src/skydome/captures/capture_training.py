@@ -15,17 +15,18 @@ from skydome.skies.neural.sky import NeuralSky
 from skydome.training.halving import Halving
 from skydome.training.levenberg_marquardt import Samples
 from skydome.training.losses import MixedLoss
-from skydome.training.method import Progress, Task
-from skydome.training.recipes import Recipe
+from skydome.training.method import Progress, Recipe, Task
 from skydome.training.train import train_on
 
-DAY_RECIPE = Recipe(starts=40, start_steps=10, rounds=((40, 25), (16, 35)), steps=0)
+DAY_RECIPE = Recipe(starts=40, start_steps=10, rounds=((40, 25), (16, 35)), steps=0, method=Halving())
 """The published network: many starts, none trained for long (a day's dozen suns are soon learned by heart)."""
 
-COMMITTEE_RECIPE = Recipe(starts=20, start_steps=10, rounds=((20, 25),), steps=0)
+COMMITTEE_RECIPE = Recipe(starts=20, start_steps=10, rounds=((20, 25),), steps=0, method=Halving())
 """Networks of the published form, trained still more briefly, whose mean is steadier than any of them."""
 
-MAP_RECIPE = Recipe(output=ExponentialOutput(), loss=MixedLoss(0.05), starts=6, start_steps=10, rounds=(), steps=40)
+MAP_RECIPE = Recipe(
+    output=ExponentialOutput(), loss=MixedLoss(0.05), starts=6, start_steps=10, rounds=(), steps=40, method=Halving()
+)
 """For maps from dawn to dusk: as large, but even-handed between bright and dark skies, and never 0."""
 
 SAMPLES = 160

@@ -80,7 +80,7 @@ def convert(asked: Asked) -> None:
     from skydome.years.gendaymtx.sun import Sun
 
     if asked.path.lower().endswith(".epw"):
-        from skydome.years.weather.weather import read_weather
+        from skydome.years.weather.reading import read_weather
 
         tape = gendaymtx.tape_from(read_weather(asked.path))
     else:

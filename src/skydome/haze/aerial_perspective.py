@@ -11,6 +11,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.directions import checked_directions
 from skydome.haze.channels import RedGreenBlue, Wavelengths
+from skydome.haze.fast import FastAir
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, optical_depth
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
@@ -142,6 +143,15 @@ class AirLight:
         """The sky's scattered light by view."""
         return LightTable.of(self.sky_sources)
 
+    @cached_property
+    def fast(self) -> FastAir:
+        """The same in float32 for whole images of one turbidity; ValueError for more of them."""
+        if np.ndim(self.haze_turbidity) != 0:
+            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(self.haze_turbidity)}")
+        return FastAir.of(
+            self.coefficients(np.zeros(1)), float(as_numpy(self.haze_scale)), self.table, self.sun_sources
+        )
+
     def scattered(self, views: Array) -> tuple[Array, Array]:
         """S1 and S2 at the ground along views (..., 3), light per metre, each (..., C) (eq. 8)."""
         many = views.size > 3 * MANY if is_numpy(views) else False
@@ -160,7 +170,7 @@ class AirLight:
         direction = constant(direction, distance) if not is_numpy(distance) and is_numpy(direction) else direction
         distance, height = checked(distance, direction, "distance", 0.0), checked(height, direction, "height")
         if self.takes_kernel(distance, direction, height):
-            return self.by_kernel(distance, direction, height)
+            return AerialPerspective(*self.fast.at(distance, direction, float(height)))
         air = self.coefficients(direction)
         xp = namespace(direction, distance)
         ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
@@ -175,13 +185,6 @@ class AirLight:
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
         large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
         return bool(large and np.shape(distance) == direction.shape[:-1] and find_spec("numba") is not None)
-
-    def by_kernel(self, distance: np.ndarray, direction: np.ndarray, height: Any) -> AerialPerspective:
-        """The same in float32 for a whole image."""
-        from skydome.haze.fast import FastAir
-
-        tau, light = FastAir.of(self).at(distance, direction, float(height))
-        return AerialPerspective(tau, light)
 
 
 def checked(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:

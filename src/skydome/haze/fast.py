@@ -1,16 +1,16 @@
 """The tables that the Numba kernel of aerial perspective reads, made once for an air and its light."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import as_numpy
+from skydome.ground.directions import tangent_frame
 from skydome.ground.quadrature import gauss_legendre
-
-if TYPE_CHECKING:
-    from skydome.haze.aerial_perspective import AirLight
+from skydome.haze.integrals import Coefficients
+from skydome.haze.light import LightTable, Sources
 
 SIDE = 129
 """Knots along either side of the octahedral table of the sky's scattered light."""
@@ -20,7 +20,7 @@ CHORDS = 4097
 
 
 class FastTables(NamedTuple):
-    """Arrays in float32 as the kernel takes them: see `aerial_perspective_kernel`."""
+    """Arrays in float32 as the kernel takes them: see `kernel.veil`."""
 
     air: np.ndarray
     nodes: np.ndarray
@@ -31,27 +31,24 @@ class FastTables(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FastAir:
-    """An `AirLight` in RGB, ready for the kernel."""
+    """The air of one sky in RGB, ready for the kernel: `AirLight.fast`."""
 
     tables: FastTables
 
     @classmethod
-    def of(cls, air: "AirLight") -> "FastAir":
-        """The tables of an air."""
-        if np.ndim(air.haze_turbidity) != 0:
-            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(air.haze_turbidity)}")
-        found = air.coefficients(np.zeros(1))
-        coefficients = np.concatenate([np.atleast_1d(as_numpy(part)) for part in found])
+    def of(cls, air: Coefficients, haze_scale: float, sky: LightTable, suns: list[Sources]) -> "FastAir":
+        """The tables of an air, its haze `haze_scale` times that of the sky's light and of the suns'."""
+        coefficients = np.concatenate([np.atleast_1d(as_numpy(part)) for part in air])
         q, weights = gauss_legendre(8)
-        scale = np.repeat([float(as_numpy(air.haze_scale)), 1.0], 3)
-        sky = np.concatenate(air.table.toward(octahedral_directions()), axis=-1) * scale
-        peaks = [peak_of(source) * scale for source in air.sun_sources]
-        suns = [as_numpy(source.directions)[0] for source in air.sun_sources]
+        scale = np.repeat([haze_scale, 1.0], 3)
+        table = np.concatenate(sky.toward(octahedral_directions()), axis=-1) * scale
+        peaks = [peak_of(source) * scale for source in suns]
+        toward = [as_numpy(source.directions)[0] for source in suns]
         tables = (
             coefficients,
             np.stack([q, 1 - q, weights]),
-            sky,
-            np.reshape(suns, (-1, 3)),
+            table,
+            np.reshape(toward, (-1, 3)),
             np.reshape(peaks, (-1, CHORDS, 6)),
         )
         return cls(FastTables(*(np.ascontiguousarray(table, dtype=np.float32) for table in tables)))
@@ -85,13 +82,11 @@ def octahedral_directions() -> np.ndarray:
     return unit
 
 
-def peak_of(source: "object") -> np.ndarray:
+def peak_of(source: Sources) -> np.ndarray:
     """S1 and S2 (CHORDS, 6) of one sun at even steps of the half chord |v - s| / 2 from 0 to 1."""
-    from skydome.ground.directions import tangent_frame
-
-    sun = as_numpy(source.directions)[0]  # type: ignore[attr-defined]
+    sun = as_numpy(source.directions)[0]
     half = np.linspace(0, 1, CHORDS)
     cosine = 1 - 2 * half * half
     views = cosine[:, None] * sun + np.sqrt(np.maximum(1 - cosine**2, 0))[:, None] * tangent_frame(sun)[0]
-    found: np.ndarray = np.concatenate(source.toward(views), axis=-1)  # type: ignore[attr-defined]
+    found: np.ndarray = np.concatenate(source.toward(views), axis=-1)
     return found

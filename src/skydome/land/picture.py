@@ -13,7 +13,7 @@ from skydome.ground.directions import direction, unit
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.haze.aerial_perspective import AirLight
-from skydome.haze.fast import FastAir, FastTables
+from skydome.haze.fast import FastTables
 from skydome.haze.ward_larson import WardLarson
 from skydome.land.camera import Camera
 from skydome.land.elevation import Elevation
@@ -243,5 +243,5 @@ def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.n
     if isinstance(air, WardLarson):
         tau = np.asarray(air.at(1000.0, np.array([0.0, 1.0, 0.0]), height).transmittance)
         return FOG, np.concatenate([-np.log(tau) / 1000, np.asarray(air.ambient)]), densities, empty
-    fast = FastAir.of(air)
+    fast = air.fast
     return CLEAR, np.zeros(6), fast.densities(height), fast.tables

@@ -1,6 +1,7 @@
 """Environment maps: layouts, files, targets.
 
-- environment_map    The environment map, light from every direction, as pixels with a layout
+- environment_map    The environment map, light from every direction, asked, turned, laid out otherwise and saved
+- pixels             What a map consists of, pixels with a layout, a colour space and a unit
 - projection         What every map projection answers, where a texel looks, where a direction falls
 - projections        Every projection by name
 - equirectangular    Equirectangular maps: azimuth along the row, elevation down the column

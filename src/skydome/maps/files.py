@@ -12,8 +12,8 @@ from skydome.ground.exr import HALF_MAXIMUM, write_exr
 from skydome.ground.images import write_hdr, write_png
 from skydome.ground.tone import Curve
 from skydome.light.colour import RGBSpace
-from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.pixels import MapPixels
 from skydome.maps.preview import preview
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
@@ -24,7 +24,7 @@ FORMATS = (".exr", ".hdr", ".png")
 
 
 def save(
-    environment: EnvironmentMap,
+    environment: MapPixels,
     path: str | PathLike[str],
     target: str | None = None,
     half: bool = False,
@@ -55,7 +55,7 @@ def save(
         write_png(path, preview(environment, exposure, curve), notes)
 
 
-def save_exr(environment: EnvironmentMap, path: str | PathLike[str], half: bool, notes: dict[str, Any]) -> None:
+def save_exr(environment: MapPixels, path: str | PathLike[str], half: bool, notes: dict[str, Any]) -> None:
     """OpenEXR, float or half, with place, time, unit and primaries in their own attributes."""
     scale = half_scale(environment.pixels) if half else 1.0
     pixels = environment.pixels if scale == 1 else environment.pixels / environment.pixels.dtype.type(scale)
@@ -77,7 +77,7 @@ def half_scale(pixels: np.ndarray) -> float:
     return 10.0 ** max(0, math.ceil(math.log10(peak / HALF_MAXIMUM))) if 0 < peak < math.inf else 1.0
 
 
-def save_hdr(environment: EnvironmentMap, path: str | PathLike[str], notes: dict[str, Any]) -> None:
+def save_hdr(environment: MapPixels, path: str | PathLike[str], notes: dict[str, Any]) -> None:
     """Radiance picture: cd m-2 / 179 in the map's own primaries, stated in PRIMARIES."""
     primaries = " ".join(f"{value:.4f}" for value in chromaticities_of(environment.space))
     place = {name: environment.metadata[name] for name in (*PLACE, "time") if name in environment.metadata}
@@ -110,7 +110,7 @@ def time_attributes(time: Any) -> dict[str, Any]:
     return {"capDate": moment.strftime("%Y:%m:%d %H:%M:%S"), "utcOffset": -offset.total_seconds()}
 
 
-def provenance(environment: EnvironmentMap, layout: Target | None) -> dict[str, Any]:
+def provenance(environment: MapPixels, layout: Target | None) -> dict[str, Any]:
     """The remaining metadata and the layout, as `skydome:name` -> str or float."""
     facts = {name: plain(value) for name, value in environment.metadata.items() if name not in (*PLACE, "time")}
     facts |= {"projection": repr(environment.projection), "space": environment.space.name}

@@ -4,15 +4,15 @@ import numpy as np
 
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import SRGB, encode_srgb
-from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.pixels import MapPixels
 
 
-def preview(environment: EnvironmentMap, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:
+def preview(environment: MapPixels, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:
     """sRGB-encoded values (H, W, 3) in 0..1 of a map; `exposure` per cd m-2, chosen from the content unless given.
 
     Colours outside sRGB are cut at its edge; the curve (default `Filmic`) keeps hues (see `tone_mapped`).
 
-    >>> grey = EnvironmentMap(np.full((4, 8, 3), 2000.0))
+    >>> grey = MapPixels(np.full((4, 8, 3), 2000.0))
     >>> preview(grey)[0, 0].round(3).tolist()
     [0.553, 0.553, 0.553]
     """

@@ -1,9 +1,9 @@
 """How small networks learn a sky: recipes, ways of training, measures.
 
-- recipes                 Recipes: which network is trained, on what and how; sizes from 492 bytes to 20 kB
+- recipes                 Recipes by name: sizes from 492 bytes to 20 kB
 - lessons                 Samples of a sky model for networks to learn: as the paper drew them, and richer ones
 - train                   Training of neural skies: a teacher and a recipe give a network
-- method                  What a way of training is: from samples and a recipe to layers
+- method                  What a recipe, a task and a way of training are: from samples and a recipe to layers
 - halving                 Many random starts by Levenberg-Marquardt, the better part kept in each round
 - levenberg_marquardt     Levenberg-Marquardt for small networks of 1 / neurons, with an exact Jacobian, in chunks
 - losses                  What a network's training makes small, residuals of its sums z against light

@@ -1,20 +1,58 @@
-"""What a way of training is: from samples and a recipe to layers."""
+"""What a recipe, a task and a way of training are: from samples and a recipe to layers."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
+from skydome.skies.neural.network import PUBLISHED, Output, RationalOutput
 from skydome.training.journal import Journal
+from skydome.training.lessons import Lesson, Teacher, dense_lesson
 from skydome.training.levenberg_marquardt import Layers, Samples, random_layers
-
-if TYPE_CHECKING:
-    from skydome.training.recipes import Recipe
+from skydome.training.losses import Loss, TargetLoss
 
 Progress = Callable[[str, float], None]
 """Told the stage, and the root of the mean squared residual after each step."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What is trained and how.
+
+    `starts` random networks take `start_steps` steps each on `start_samples` samples; each round (count, steps) keeps
+    the best and goes on with them; the last one left takes `steps` steps on `most_samples`. `lesson` draws the data,
+    `dtype` is how the numbers are stored, `outputs` 3 for linear sRGB, or how many bands. `sequence`: the lesson's
+    first samples are as evenly spread as all. `mirrored`: inputs that change sign where the sky does not; their
+    weights start at 0. `bias_spread`: standard deviation of the first layer's biases at the start.
+    """
+
+    inputs: tuple[str, ...] = PUBLISHED
+    hidden: tuple[int, ...] = (12,)
+    output: Output = field(default_factory=RationalOutput)
+    loss: Loss = field(default_factory=TargetLoss)
+    starts: int = 56
+    start_steps: int = 12
+    rounds: tuple[tuple[int, int], ...] = ((16, 30), (6, 60))
+    steps: int = 150
+    start_samples: int = 2500
+    most_samples: int = 10_000
+    dtype: Any = np.float32
+    lesson: Callable[[Teacher, int], Lesson] = dense_lesson
+    outputs: int = 3
+    method: "Method" = field(kw_only=True)
+    sequence: bool = False
+    mirrored: tuple[str, ...] = ()
+    bias_spread: float = 1.0
+
+    @property
+    def bytes(self) -> int:
+        """Bytes of the network's numbers."""
+        widths = [len(self.inputs), *self.hidden, self.outputs]
+        count: int = sum((before + 1) * after for before, after in pairwise(widths))
+        return count * int(np.dtype(self.dtype).itemsize)
 
 
 @dataclass(frozen=True)
@@ -22,7 +60,7 @@ class Task:
     """A training to be done: the samples, the recipe, the seed, who is told and where it is written down."""
 
     samples: Samples
-    recipe: "Recipe"
+    recipe: Recipe
     seed: int = 0
     progress: Progress | None = None
     journal: Journal | None = None

@@ -6,7 +6,7 @@ from skydome.skies.neural.network import Network
 from skydome.training.journal import Journal
 from skydome.training.lessons import Teacher, published_lesson
 from skydome.training.levenberg_marquardt import Layers, Samples, forward, minimised
-from skydome.training.method import Progress, Task
+from skydome.training.method import Progress, Recipe, Task
 from skydome.training.recipes import (
     COMPACT,
     COMPACT_RECIPE,
@@ -14,7 +14,6 @@ from skydome.training.recipes import (
     PUBLISHED_RECIPE,
     RECIPES,
     SPECTRAL_RECIPE,
-    Recipe,
 )
 
 __all__ = [

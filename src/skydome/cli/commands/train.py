@@ -14,7 +14,7 @@ from skydome.cli.printing import show
 
 if TYPE_CHECKING:
     from skydome.training.lessons import Teacher
-    from skydome.training.recipes import Recipe
+    from skydome.training.method import Recipe
 
 
 def train(

@@ -95,7 +95,7 @@ def single(
     from skydome.years.skies.status import counts
     from skydome.years.stores.radiance_files import write_matrix, write_suns
     from skydome.years.stores.stores import write_dataset, write_year
-    from skydome.years.weather.weather import read_weather
+    from skydome.years.weather.reading import read_weather
 
     with busy("a year of skies", long=True):
         weather = read_weather(path)

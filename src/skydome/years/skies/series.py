@@ -14,8 +14,9 @@ from skydome.years.skies.colour_year import Clear, Weathered, add_colour, add_sp
 from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
 from skydome.years.weather.plausibility import warn_of_wrong_place
+from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import SunTrack
-from skydome.years.weather.weather import Weather, read_weather
+from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:
     import xarray

@@ -8,20 +8,12 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from skydome.years.stores.sites_store import DONE, FAILED, HOURS, mark, open_store, write_site
+from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
+from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import SunTrack
-from skydome.years.weather.weather import Weather, read_weather
+from skydome.years.weather.weather import Weather
 
 SITES_A_TASK = 5
-
-
-@dataclass(frozen=True)
-class Site:
-    """A row of sites.csv: its number there, a name, a weather file."""
-
-    row: int
-    name: str
-    file: str
 
 
 @dataclass(frozen=True)

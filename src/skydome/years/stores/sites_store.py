@@ -6,7 +6,7 @@ names and encodes them: seven small writes a site by `zarr` itself took as long 
 
 import json
 import os
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,8 +17,6 @@ from skydome.dome.patches import patches as patches_named
 
 if TYPE_CHECKING:
     import xarray
-
-    from skydome.years.stores.sites import Site
 
 HOURS = 8760
 DONE, FAILED = 1, 2
@@ -32,7 +30,16 @@ LEVEL, BYTE_SHUFFLE = 1, 1
 """Choices of Blosc (lz4): as small as zstd's for luminance, in a quarter of the time."""
 
 
-def open_store(store: str | PathLike[str], sites: "list[Site]", choices: dict[str, Any]) -> Any:
+@dataclass(frozen=True)
+class Site:
+    """A row of sites.csv: its number there, a name, a weather file."""
+
+    row: int
+    name: str
+    file: str
+
+
+def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str, Any]) -> Any:
     """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others."""
     import zarr
 

@@ -1,6 +1,7 @@
 """Weather in: files of every common kind become one record of a place and its hours.
 
 - weather          Weather, a place, intervals of time and the irradiances measured in them
+- reading          Weather from a file, whichever of the common kinds it is
 - epw              EnergyPlus weather files: rows are labelled by the end of their interval, in standard time
 - wea              Radiance's weather tapes, times at the middle of the interval
 - tape             The text of Radiance's weather tapes, a header of six lines, then month, day, hour, direct

@@ -38,6 +38,16 @@ def interval(times: np.ndarray, seconds: float, label: Label, utc_offset: float)
     return start, start + np.timedelta64(round(length), "s")
 
 
+def usual_step(times: np.ndarray) -> float:
+    """The most common difference of consecutive times, seconds; an hour for a single row."""
+    steps = np.diff(times.astype(np.int64))
+    steps = steps[steps > 0]
+    if steps.size == 0:
+        return 3600.0
+    values, counts = np.unique(steps, return_counts=True)
+    return float(min(values[np.argmax(counts)], 86400))
+
+
 def check_dates(months: np.ndarray, days: np.ndarray, first_line: int, name: str) -> None:
     """ValueError with the line of the first row whose month or day does not exist."""
     lengths = np.array([31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31])

@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 
 from skydome.sun.place import Place
-from skydome.years.weather.calendar import Label, calendar_year, interval, local_minutes, month_day_hour
+from skydome.sun.times import instants
+from skydome.years.weather.calendar import Label, calendar_year, interval, local_minutes, month_day_hour, usual_step
+from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather
 
 NAMES = {
@@ -91,10 +93,6 @@ def from_frame(
     >>> str(from_frame(frame, Place(45.07, 7.69), label="start").middle[0])
     '2026-06-21T10:07:30'
     """
-    from skydome.sun.times import instants
-    from skydome.years.weather.tape import DEW_POINT
-    from skydome.years.weather.wea import usual_step
-
     if label not in ("end", "start", "middle", "instant"):
         raise ValueError(f'label must be "end", "start", "middle" or "instant", got {label!r}')
     utc = instants(frame.index).astype("datetime64[s]")

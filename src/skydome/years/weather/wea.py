@@ -11,7 +11,15 @@ from skydome.ground.units import deg
 from skydome.ground.writing import appearing
 from skydome.sun.place import Place
 from skydome.years.gendaymtx.conditions import SOLAR_CONSTANT, SOLAR_LIGHT_CONSTANT, irradiances_of
-from skydome.years.weather.calendar import calendar_year, check_dates, interval, local_minutes, month_day_hour
+from skydome.years.weather.calendar import (
+    calendar_year,
+    check_dates,
+    interval,
+    local_minutes,
+    month_day_hour,
+    usual_step,
+)
+from skydome.years.weather.sun_of_interval import lit_sun
 from skydome.years.weather.tape import (
     DEW_POINT,
     FIRST_LINE,
@@ -74,8 +82,6 @@ def with_illuminances(weather: Weather, direct: np.ndarray, diffuse: np.ndarray)
 
     Negative illuminances count as 0; their rough irradiances stay, for the flag.
     """
-    from skydome.years.weather.sun_of_interval import lit_sun
-
     sun = lit_sun(weather)
     zenith = np.clip(zenith_angle(sun.directions), 0.0, np.pi / 2)
     day = (sun.times.astype("datetime64[D]") - sun.times.astype("datetime64[Y]")).astype(np.float64) + 1
@@ -90,20 +96,8 @@ def with_illuminances(weather: Weather, direct: np.ndarray, diffuse: np.ndarray)
     )
 
 
-def usual_step(times: np.ndarray) -> float:
-    """The most common difference of consecutive times, seconds; an hour for a single row."""
-    steps = np.diff(times.astype(np.int64))
-    steps = steps[steps > 0]
-    if steps.size == 0:
-        return 3600.0
-    values, counts = np.unique(steps, return_counts=True)
-    return float(min(values[np.argmax(counts)], 86400))
-
-
 def with_normal_direct(weather: Weather) -> Weather:
     """Direct irradiance on the horizontal turned into direct normal by the sun's elevation, of 1 degree at least."""
-    from skydome.years.weather.sun_of_interval import lit_sun
-
     sine = lit_sun(weather).directions[:, 2]
     return replace(weather, direct_normal=weather.direct_normal / np.maximum(sine, np.sin(1 * deg)))
 

@@ -1,9 +1,7 @@
-"""Weather: a place, intervals of time and the irradiances measured in them, read from every common file."""
+"""Weather: a place, intervals of time and the irradiances measured in them."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -103,25 +101,3 @@ class Weather:
         names = ["start", "end", "direct_normal", "diffuse_horizontal", "dew_point"]
         names += ["direct_illuminance", "diffuse_illuminance"] if self.diffuse_illuminance is not None else []
         return replace(self, **{name: getattr(self, name)[chosen] for name in names})
-
-
-def read_weather(path: str | PathLike[str], year: int | None = None) -> Weather:
-    """The weather in an EPW, WEA, TMY3 (.csv) or TM2 file, told by its ending.
-
-    `year` lays the rows in that calendar year; None keeps the file's own where all rows have the same one, and else
-    takes 2023, or 2024 where there is a 29 February. ValueError with the line for what cannot be read.
-    """
-    ending = Path(path).suffix.lower()
-    if ending == ".epw":
-        from skydome.years.weather.epw import read_epw
-
-        return read_epw(path, year)
-    if ending == ".wea":
-        from skydome.years.weather.wea import read_wea
-
-        return read_wea(path, year)
-    if ending in (".csv", ".tm2"):
-        from skydome.years.weather.tmy import read_tm2, read_tmy3
-
-        return (read_tmy3 if ending == ".csv" else read_tm2)(path, year)
-    raise ValueError(f"a weather file must end in .epw, .wea, .csv (TMY3) or .tm2, got {Path(path).name!r}")
