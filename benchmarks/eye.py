@@ -21,7 +21,7 @@ def best(work, runs=5):
 if __name__ == "__main__":
     sky = sd.HosekWilkie(sd.direction(180 * deg, 25 * deg), turbidity=3.0)
     environment = sd.render(sky + sd.SunDisc.of(sky), height=1024)
-    view, eye = sd.View(170 * deg, 18 * deg), sd.Eye(60)
+    view, eye = sd.Camera(170 * deg, 18 * deg), sd.Eye(60)
     print(f"look     {best(lambda: eye.look(environment, view)):.2f} s")
     print(f"suns     {best(lambda: without_sources(environment)):.2f} s")
     print(f"glare    {best(lambda: sd.glare(environment, view.azimuth, view.elevation)):.2f} s")

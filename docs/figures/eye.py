@@ -47,13 +47,13 @@ def screen(picture: np.ndarray, exposure: float) -> np.ndarray:
 def views() -> None:
     """Day, sunset, the sun outside the picture, and a camera's lens; above without, below with."""
     day, evening = sky_map(180, 25, 3.0), sky_map(290, 4, 3.5)
-    south = sd.View(170 * deg, 18 * deg, 60 * deg, PANEL)
+    south = sd.Camera(170 * deg, 18 * deg, 60 * deg, PANEL)
     cases = [
         ("25 years", sd.Eye(25), day, south),
         ("75 years", sd.Eye(75), day, south),
         ("75 years, blue eyes (CIE)", sd.Eye(75, "blue"), day, south),
-        ("sunset, 60 years", sd.Eye(60), evening, sd.View(285 * deg, 8 * deg, 60 * deg, PANEL)),
-        ("the sun 6° outside, 60 years", sd.Eye(60), day, sd.View(140 * deg, 18 * deg, 60 * deg, PANEL)),
+        ("sunset, 60 years", sd.Eye(60), evening, sd.Camera(285 * deg, 8 * deg, 60 * deg, PANEL)),
+        ("the sun 6° outside, 60 years", sd.Eye(60), day, sd.Camera(140 * deg, 18 * deg, 60 * deg, PANEL)),
         ("a camera's lens", sd.LensFlare(seed=5), day, south),
     ]
     figure, axes = plt.subplots(2, len(cases), figsize=(2.4 * len(cases), 5.1), layout="constrained")
@@ -104,7 +104,7 @@ def in_pictures() -> list[tuple[str, ...]]:
     sky = sd.HosekWilkie(sun, 3.0)
     disc = sd.SunDisc.of(sky)
     bare, sunny = sd.render(sky, height=512), sd.render(sky + disc, height=512)
-    view = sd.View(180 * deg, 40 * deg, 62 * deg, 1024)
+    view = sd.Camera(180 * deg, 40 * deg, 62 * deg, 1024)
     angle = np.arccos(np.clip(view.directions() @ sun, -1, 1)) / deg
     rows = []
     for age in AGES:

@@ -36,7 +36,7 @@ def ground(air, sky, sun):
 def view_of(air, sun, azimuth, elevation, stops=0.0):
     """Linear sRGB of what a camera sees, and the exposure that suits it; the sun's disc is drawn pixel by pixel."""
     sky = sd.DiscreteOrdinates(sun, air, streams=STREAMS)
-    frame = sd.View(azimuth * deg, elevation * deg, FOV, WIDTH, HEIGHT)
+    frame = sd.Camera(azimuth * deg, elevation * deg, FOV, WIDTH, HEIGHT)
     toward = frame.directions()
     up = toward[..., 2] > 0
     light = np.empty((HEIGHT, WIDTH, BANDS.size))

@@ -75,7 +75,7 @@ HOME = {
     "surroundings.obstruction": "obstructed_illuminance PlaneView Received",
     "export.shaders": "shader",
     "eye.eye": "Eye",
-    "eye.view": "View HalfSphere",
+    "eye.view": "Camera HalfSphere",
     "eye.glare": "glare",
     "eye.point_spread": "StilesHolladay CIETotal Spencer PHOTOPIC MESOPIC SCOTOPIC",
     "eye.lens_flare": "LensFlare",
@@ -84,7 +84,6 @@ HOME = {
     "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "land.picture": "render_terrain TerrainPicture",
     "land.elevation": "Elevation read_elevation",
-    "land.camera": "Camera",
 }
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 

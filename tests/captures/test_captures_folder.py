@@ -8,8 +8,8 @@ import skydome as sd
 from skydome import deg
 from skydome.captures.captures import LAYOUTS, Capture, read_captures
 from skydome.captures.sky_mask import write_mask
+from skydome.ground import exr
 from skydome.ground.directions import angle_between
-from skydome.ground.exr import write_exr
 from skydome.maps.equirectangular import Equirectangular
 
 PLACE = sd.Place(45.07, 7.69, 240)
@@ -31,7 +31,7 @@ def write(folder, name, picture, time=None, **metadata):
 def test_every_layout_is_read_alike(layout, tmp_path):
     height = 64 if layout == "latlong" else 128
     for k, time in enumerate(TIMES):
-        write_exr(tmp_path / f"{k}.exr", picture_at(time, height, LAYOUTS[layout]).pixels)
+        exr.write(tmp_path / f"{k}.exr", {"RGB": picture_at(time, height, LAYOUTS[layout]).pixels})
     captures = read_captures(tmp_path, layout)
     for capture, time in zip(captures, TIMES, strict=True):
         sun = sd.sun_direction(PLACE, time)
@@ -93,7 +93,7 @@ def test_refusals(tmp_path):
     refused(tmp_path, "a time or none, but b.exr has none")
     write(tmp_path, "b.exr", picture_at(TIMES[1], 64, LAYOUTS["fisheye"]), TIMES[1])
     refused(tmp_path, "layout asked for, .* but b.exr states Fisheye")
-    write_exr(tmp_path / "b.exr", picture_at(TIMES[1], 64, LAYOUTS["fisheye"]).pixels)
+    exr.write(tmp_path / "b.exr", {"RGB": picture_at(TIMES[1], 64, LAYOUTS["fisheye"]).pixels})
     refused(tmp_path, "b.exr is 64 x 64, which is no map of the layout Equirectangular")
     refused(tmp_path, "layout must be one of latlong", layout="cube")
     (tmp_path / "b.exr").write_bytes(b"no map")

@@ -121,9 +121,9 @@ def asset(name, folder):
     text = (Path(place) / "hdri" / f"{name}.exr.js").read_text()
     path = folder / f"{name}.exr"
     path.write_bytes(base64.b64decode(re.search(r"base64,([A-Za-z0-9+/=]+)", text)[1]))
-    from skydome.ground.exr import read_exr
+    from skydome.ground import exr
 
-    return sd.EnvironmentMap(np.maximum(read_exr(path)[0], 0))
+    return sd.EnvironmentMap(np.maximum(exr.read(path)[0], 0))
 
 
 @pytest.mark.parametrize(

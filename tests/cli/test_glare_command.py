@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome import deg
 from skydome.cli.main import app
-from skydome.ground.exr import read_exr
+from skydome.ground import exr
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +43,7 @@ def test_numbers_and_picture(sky, tmp_path):
 def test_linear_picture(sky, tmp_path):
     path = tmp_path / "eye.exr"
     assert call(sky, "--view", "180,20", "--size", 64, "-o", path).exit_code == 0
-    pixels, header = read_exr(path)
+    pixels, header = exr.read(path)
     assert pixels.shape == (64, 64, 3)
     assert header["whiteLuminance"] == 1
     assert pixels.max() > 1e6
@@ -86,16 +86,17 @@ CASES = {
     "white NaN": (("--white", "nan"), ("white_luminance", "nan")),
     "seed": (("--seed", -1), ("seed", "-1")),
     "folder": (("-o", "nowhere/eye.png"), ("folder", "nowhere")),
-    "huge": (("--size", 100000), ("8192", "100000")),
+    "huge": (("--size", 100000), ("16384", "100000")),
+    "large": (("--size", 9000), ("8192", "9000")),
     "young": (("--age", 4), ("age", "[5, 100]", "4")),
     "iris": (("--iris", "red"), ("black, brown, green, blue", "red")),
     "view": (("--view", "south"), ("--view", "180,20")),
     "elevation": (("--view", "180,95"), ("elevation", "[-90, 90]", "95")),
-    "fov": (("--fov", 160), ("fov", "[1, 150]", "160")),
-    "fov NaN": (("--fov", "nan"), ("fov", "nan")),
+    "fov": (("--fov", 160), ("field of view", "[1, 150]", "160")),
+    "fov NaN": (("--fov", "nan"), ("field of view", "nan")),
     "picture": (("-o", "eye.jpg"), (".png or .exr", "eye.jpg")),
     "white": (("--white", 0), ("white_luminance", "0")),
-    "size": (("--size", 3), ("side", "3")),
+    "size": (("--size", 3), ("width", "3")),
 }
 
 

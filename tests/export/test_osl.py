@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
-from skydome.ground.exr import read_exr
+from skydome.ground import exr
 from skydome.skies.neural.sky import NeuralSpectralSky
 
 SUN = sd.direction(200 * sd.deg, 35 * sd.deg)
@@ -57,7 +57,7 @@ def pictures(tmp_path_factory):
     script = Path(__file__).with_name("osl_in_blender.py")
     done = subprocess.run([python, str(script), str(folder)], capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stdout + done.stderr
-    return {name: read_exr(folder / f"{name}.exr")[0] for name in sources}
+    return {name: exr.read(folder / f"{name}.exr")[0] for name in sources}
 
 
 def views(pictures):

@@ -19,7 +19,7 @@ from skydome.eye.glare import (
 )
 from skydome.eye.linked_groups import linked, linked_pixels
 from skydome.eye.view import HalfSphere
-from skydome.ground.hdr import write_hdr
+from skydome.ground import hdr
 from skydome.light.colour import RADIANCE, rgb_from_xyz, xyz_from_rgb
 
 SIDE = 600
@@ -53,7 +53,7 @@ def evalglare(environment, azimuth, elevation, folder):
     picture = np.where(frame.solid_angles()[..., None] > 0, plainly_seen(environment, frame), 0.0)
     path = folder / "view.hdr"
     radiance = rgb_from_xyz(xyz_from_rgb(picture, environment.space), RADIANCE) / 179
-    write_hdr(path, np.maximum(radiance, 0), {"VIEW": frame.radiance_view})
+    hdr.write(path, np.maximum(radiance, 0), {"VIEW": frame.radiance_view})
     program = Path(pyradiance.__file__).parent / "bin" / "evalglare"
     run = subprocess.run([program, "-d", path], capture_output=True, text=True, check=True)
     line = next(line for line in run.stdout.splitlines() if line.startswith("dgp,"))

@@ -10,7 +10,7 @@ from skydome.eye.eye import Eye, halo_share, plainly_seen
 from skydome.eye.glow import Glow, disc_glow
 from skydome.eye.point_spread import MESOPIC, PHOTOPIC, CIETotal, StilesHolladay, cap
 from skydome.eye.streaks import Needles, halo_colours
-from skydome.eye.view import HalfSphere, View
+from skydome.eye.view import Camera, HalfSphere
 
 SUN = sd.direction(180 * deg, 25 * deg)
 RADIUS = 0.2666 * deg
@@ -66,7 +66,7 @@ def test_glow_meets_its_far_form_without_a_step():
 @pytest.mark.parametrize("side", [64, 256, 1024])
 def test_view_holds_the_share_that_the_spread_has(side):
     # the share of light within 10 degrees of the sun, against the spread's own
-    view = View(180 * deg, 25 * deg, 40 * deg, side)
+    view = Camera(180 * deg, 25 * deg, 40 * deg, side)
     source = BrightSource(SUN, np.array([1.0, 1.0, 1.0]), RADIUS)
     glow = Eye(60, "blue").glow(RADIUS, 3000.0, sd.SRGB)
     picture = glow.painted(view.toward, view.shape, source)
@@ -109,7 +109,7 @@ def test_setting_suns_are_found_whole(elevation):
     angles = np.broadcast_to(environment.projection.solid_angles(512), calm.pixels.shape[:2])
     gone = np.sum(angles * (environment.luminance() - calm.luminance()))
     assert sources[0].illuminance(environment.space) == pytest.approx(gone, rel=1e-3)
-    seen = Eye(60).look(environment, View(290 * deg, 5 * deg, 20 * deg, 128))
+    seen = Eye(60).look(environment, Camera(290 * deg, 5 * deg, 20 * deg, 128))
     assert seen.plain.max() > 100 * np.median(seen.plain)
 
 
@@ -129,13 +129,13 @@ def test_two_suns_are_two_sources(sky):
 
 def test_without_sun_no_visible_change(sky):
     environment = sd.render(sky, height=256)
-    seen = Eye(60, "blue").look(environment, View(180 * deg, 35 * deg, 40 * deg, 256))
+    seen = Eye(60, "blue").look(environment, Camera(180 * deg, 35 * deg, 40 * deg, 256))
     assert np.max(np.abs(seen.eye / seen.plain - 1)) < 0.02  # below a step of 8 bit sRGB at middle grey
 
 
 def test_an_even_view_stays_even():
     even = sd.EnvironmentMap(np.full((32, 64, 3), 500.0))
-    seen = Eye(80).look(even, View(0.0, 0.0, 90 * deg, 128))
+    seen = Eye(80).look(even, Camera(0.0, 0.0, 90 * deg, 128))
     np.testing.assert_allclose(seen.eye, 500, rtol=1e-4)
 
 
@@ -143,7 +143,7 @@ def test_light_of_a_view_is_kept():
     # a bright bar (no sun: it is wide) in the middle of a dark view spreads, and its light stays
     pixels = np.full((256, 512, 3), 10.0)
     pixels[118:138, 246:266] = 200.0
-    view = View(180 * deg, 0.0, 60 * deg, 256)
+    view = Camera(180 * deg, 0.0, 60 * deg, 256)
     seen = Eye(35).look(sd.EnvironmentMap(pixels), view, sources=[])
     before, after = (np.sum(picture[..., 1] * view.solid_angles()) for picture in (seen.plain, seen.eye))
     assert after == pytest.approx(before, rel=0.01)
@@ -168,7 +168,7 @@ def test_scattering_on_the_sphere_is_the_same_in_every_direction(sky):
 
 def test_sphere_and_view_agree(sunny):
     eye = Eye(60, "brown", pupil=2.2, needles=None)
-    view = View(180 * deg, 40 * deg, 50 * deg, 128)
+    view = Camera(180 * deg, 40 * deg, 50 * deg, 128)
     there = view.seen(eye.on_sphere(sunny))[..., 1]
     seen = eye.look(sunny, view).eye[..., 1]
     far = np.arccos(view.directions() @ SUN) > 5 * deg

@@ -7,9 +7,9 @@ import skydome as sd
 from skydome import deg
 from skydome.eye.bright_source import BrightSource
 from skydome.eye.lens_flare import LensFlare
-from skydome.eye.view import View
+from skydome.eye.view import Camera
 
-VIEW = View(180 * deg, 20 * deg, 40 * deg, 256)
+VIEW = Camera(180 * deg, 20 * deg, 40 * deg, 256)
 
 
 def source(azimuth, elevation):

@@ -7,7 +7,7 @@ import skydome as sd
 from skydome import deg
 from skydome.eye.eye import Eye
 from skydome.eye.point_spread import PHOTOPIC, CIETotal, StilesHolladay, core, corona, stiles_holladay
-from skydome.eye.view import View
+from skydome.eye.view import Camera
 
 SUN = sd.direction(180 * deg, 40 * deg)
 ANGLES = (1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0)
@@ -33,7 +33,7 @@ def rings(veil, directions, age, illuminance, width):
 def test_veil_of_the_sun_in_a_view(skies, age):
     # the eye as it comes: needles, halo, pupil by the light
     bare, sunny, illuminance = skies
-    view, eye = View(180 * deg, 40 * deg, 62 * deg, 512), Eye(age)
+    view, eye = Camera(180 * deg, 40 * deg, 62 * deg, 512), Eye(age)
     veil = (eye.look(sunny, view).eye - eye.look(bare, view).eye) @ LUMINANCE
     got = rings(veil, view.directions(), age, illuminance, 0.03)
     np.testing.assert_allclose(got, 1, atol=0.15)
@@ -56,7 +56,7 @@ def test_veil_of_a_lamp_that_is_part_of_the_picture(angle):
     environment = sd.EnvironmentMap(pixels)
     off = np.arccos(np.clip(environment.projection.directions(720) @ sd.SOUTH, -1, 1))
     pixels[off < 0.3 * deg] = 1000.0
-    view = View(180 * deg, angle * deg, 62 * deg, 512)
+    view = Camera(180 * deg, angle * deg, 62 * deg, 512)
     seen = Eye(60).look(sd.EnvironmentMap(pixels), view, sources=[])
     illuminance = np.sum(seen.plain[..., 1] * view.solid_angles())
     got = seen.eye[254:258, 254:258, 1].mean() / illuminance

@@ -5,9 +5,13 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.eye.view import HalfSphere, View
+from skydome.eye.view import Camera, HalfSphere
 
-FRAMES = [View(170 * deg, 20 * deg, 60 * deg, 100, 70), View(0.0, 90 * deg, 30 * deg, 40), HalfSphere(1.0, -0.4, 90)]
+FRAMES = [
+    Camera(170 * deg, 20 * deg, 60 * deg, 100, 70),
+    Camera(0.0, 90 * deg, 30 * deg, 40),
+    HalfSphere(1.0, -0.4, 90),
+]
 
 
 @pytest.mark.parametrize("frame", FRAMES, ids=lambda frame: type(frame).__name__)
@@ -21,7 +25,7 @@ def test_places_and_directions_are_inverse(frame):
 
 
 def test_compass_in_a_view():
-    view = View(180 * deg, 0.0, 90 * deg, 100)
+    view = Camera(180 * deg, 0.0, 90 * deg, 100)
     row, column = view.place(np.stack([sd.direction(200 * deg, 0.0), sd.direction(180 * deg, 20 * deg)]))
     assert column[0] > 50  # facing south, west is on the right
     assert row[1] < 50  # and up is up
@@ -30,7 +34,7 @@ def test_compass_in_a_view():
 
 def test_solid_angles():
     corner = 45 * deg
-    view = View(0.0, 0.0, 2 * corner, 400)
+    view = Camera(0.0, 0.0, 2 * corner, 400)
     assert view.solid_angles().sum() == pytest.approx(4 * np.pi / 6, rel=1e-5)  # a face of the cube
     assert HalfSphere(0.0, 0.0, 500).solid_angles().sum() == pytest.approx(2 * np.pi, rel=1e-4)
 
@@ -41,20 +45,44 @@ def test_quick_look_up_is_the_map_s_own():
     for frame in (HalfSphere(0.3, 1.2, 60), HalfSphere(3.1, -1.3, 60)):
         np.testing.assert_allclose(frame.seen(environment), environment.sample(frame.directions()) * 7, atol=1e-5)
     square = environment.resampled(sd.EqualAreaSquare(), 16)
-    view = View(0.0, 0.5, 1.0, 20)
+    view = Camera(0.0, 0.5, 1.0, 20)
     np.testing.assert_allclose(view.seen(square), square.sample(view.directions()) * 7, rtol=1e-5)
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((0.0, 0.0, 0.5 * deg), r"fov must lie in \[1, 150\] degrees, got 0.5"),
-        ((0.0, 0.0, 151 * deg), "fov"),
+        ((0.0, 0.0, 0.0), r"the field of view must lie in \(0, 170\) degrees, got 0"),
+        ((0.0, 0.0, 171 * deg), "field of view"),
         ((0.0, 91 * deg), r"elevation of a view must lie in \[-90, 90\] degrees, got 91"),
         ((float("nan"), 0.0), "azimuth"),
-        ((0.0, 0.0, 1.0, 8), r"side of a view must lie in \[16, 8192\] pixels, got 8"),
+        ((0.0, 0.0, 1.0, 0), "1 to 16384 pixels a side, got 0 x 0"),
+        ((0.0, 0.0, 1.0, 8, 8, float("inf")), "place must be finite"),
+        ((0.0, 0.0, 1.0, 8, 8, 0.0, 0.0, 0.0), "must stand above the ground"),
     ],
 )
-def test_views_that_cannot_be(arguments, message):
+def test_cameras_that_cannot_be(arguments, message):
     with pytest.raises(ValueError, match=message):
-        View(*arguments)
+        Camera(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((0.0, 0.0, 0.5 * deg), r"field of view of glare must lie in \[1, 150\] degrees, got 0.5"),
+        ((0.0, 0.0, 151 * deg), "field of view"),
+        ((0.0, 0.0, 1.0, 8), r"width of a view of glare must lie in \[16, 8192\] pixels, got 8"),
+        ((0.0, 0.0, 1.0, 64, 9000), "height of a view of glare"),
+    ],
+)
+def test_views_whose_glare_cannot_be_painted(arguments, message):
+    environment = sd.EnvironmentMap(np.ones((16, 32, 3)))
+    for beholder in (sd.Eye(), sd.LensFlare()):
+        with pytest.raises(ValueError, match=message):
+            beholder.look(environment, Camera(*arguments))
+
+
+def test_a_pixel_s_solid_angle_in_any_direction():
+    camera = Camera(0.3, 0.2, 60 * deg, 40, 30)
+    np.testing.assert_allclose(camera.solid_angle_toward(camera.directions()), camera.solid_angles(), rtol=1e-12)
+    assert camera.solid_angle_toward(-camera.forward) == 0

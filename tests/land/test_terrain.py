@@ -7,8 +7,9 @@ import pytest
 
 import skydome as sd
 from skydome import deg
+from skydome.eye.view import Camera
+from skydome.ground import exr
 from skydome.haze.aerial_perspective import AirLight
-from skydome.land.camera import Camera
 from skydome.land.elevation import Elevation, read_elevation, without_holes
 from skydome.land.picture import pyramid_of, render_terrain
 
@@ -114,7 +115,7 @@ def test_the_sun_in_the_picture_has_its_energy(width):
     disc = sd.SunDisc(SUN, 3.0)
     camera = Camera(azimuth=230 * deg, elevation=30 * deg, width=width, height=width)
     image = background_of(disc, camera)
-    solid_angle = camera.pixels(camera.directions().reshape(-1, 3))[2].reshape(width, width)
+    solid_angle = camera.solid_angles()
     total = (image * solid_angle[..., None]).sum(axis=(0, 1)) @ np.array([0.2126, 0.7152, 0.0722])
     assert total == pytest.approx(float(disc.normal_xyz[1]), rel=4e-3)
 
@@ -132,6 +133,9 @@ def test_progress_and_files(tmp_path):
     channels = OpenEXR.File(str(tmp_path / "a.exr"), separate_channels=True).channels()
     assert channels["Z"].pixels == pytest.approx(picture.depth)
     assert channels["R"].pixels == pytest.approx(picture.rgb[..., 0])
+    stated = exr.header(tmp_path / "a.exr")
+    assert stated["whiteLuminance"] == 1
+    assert stated["chromaticities"] == pytest.approx(sd.SRGB.chromaticities)
     with pytest.raises(ValueError, match=r"must end in \.png or \.exr"):
         picture.save(tmp_path / "a.jpg")
 

@@ -9,7 +9,7 @@ from PIL import Image
 
 import skydome as sd
 from skydome import deg
-from skydome.land.camera import Camera
+from skydome.eye.view import Camera
 from skydome.land.elevation import Elevation, read_elevation
 from skydome.land.picture import render_terrain
 from skydome.land.texture import read_texture

@@ -6,9 +6,7 @@ from datetime import datetime, timedelta, timezone
 import numpy as np
 import pytest
 
-from skydome.ground.exr import read_exr, write_exr
-from skydome.ground.hdr import read_hdr, write_hdr
-from skydome.ground.png import write_png
+from skydome.ground import exr, hdr, png
 from skydome.ground.writing import appearing
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB
 from skydome.maps.environment_map import EnvironmentMap
@@ -35,7 +33,7 @@ def one_line(caught):
 def test_exr_keeps_pixels_and_header(tmp_path):
     original = sky()
     original.save(tmp_path / "sky.exr", target="openexr")
-    pixels, header = read_exr(tmp_path / "sky.exr", finite=True)
+    pixels, header = exr.read(tmp_path / "sky.exr", finite=True)
     np.testing.assert_array_equal(pixels, original.pixels)
     assert header["whiteLuminance"] == 1
     assert header["latitude"] == pytest.approx(45.07)
@@ -69,28 +67,28 @@ def test_a_map_comes_back(suffix, space, tmp_path):
     if suffix == ".exr":
         assert back.metadata["time"] == datetime(2026, 6, 21, 15, tzinfo=timezone(timedelta(hours=2)))
     back.save(tmp_path / "again.exr")
-    assert read_exr(tmp_path / "again.exr")[1]["skydome:target"] in ("blender", "three")
+    assert exr.read(tmp_path / "again.exr")[1]["skydome:target"] in ("blender", "three")
 
 
 def test_half_floats_never_overflow(tmp_path):
     original = sky(dtype=np.float64, white_luminance=2.0)
     original.save(tmp_path / "sky.exr", half=True)
-    pixels, header = read_exr(tmp_path / "sky.exr", finite=True)
+    pixels, header = exr.read(tmp_path / "sky.exr", finite=True)
     assert header["whiteLuminance"] == 2e5
     assert 6550 < pixels.max() <= 65504
     np.testing.assert_allclose(load(tmp_path / "sky.exr").luminance(), original.luminance(), rtol=1e-3, atol=0.02)
     dim = sky(peak=60000.0)
     dim.save(tmp_path / "dim.exr", half=True)
-    assert read_exr(tmp_path / "dim.exr")[1]["whiteLuminance"] == 1
+    assert exr.read(tmp_path / "dim.exr")[1]["whiteLuminance"] == 1
     with pytest.raises(ValueError, match="must not exceed 65504 in this file, got 65505"):
-        write_exr(tmp_path / "no.exr", np.full((2, 4, 3), 65505.0), half=True)
+        exr.write(tmp_path / "no.exr", {"RGB": np.full((2, 4, 3), 65505.0)}, half=True)
     assert not (tmp_path / "no.exr").exists()
 
 
 def test_only_maps_seen_from_inside_claim_to_be_latlong(tmp_path):
     for number, layout in enumerate([Equirectangular(mirrored=True), CubeMap(), Fisheye()]):
         EnvironmentMap(np.ones((*layout.shape(12), 3)), layout).save(tmp_path / f"{number}.exr")
-        assert "envmap" not in read_exr(tmp_path / f"{number}.exr")[1]
+        assert "envmap" not in exr.read(tmp_path / f"{number}.exr")[1]
 
 
 def test_tokyo_and_utc_times(tmp_path):
@@ -100,7 +98,7 @@ def test_tokyo_and_utc_times(tmp_path):
         (datetime(2026, 1, 2, 3, 4, 5, tzinfo=timezone(timedelta(hours=-5))), "2026:01:02 03:04:05", 18000),
     ]:
         sky(metadata={"time": time}).save(tmp_path / "sky.exr")
-        header = read_exr(tmp_path / "sky.exr")[1]
+        header = exr.read(tmp_path / "sky.exr")[1]
         assert (header["capDate"], header["utcOffset"]) == (date, offset)
     with pytest.raises(ValueError, match="time must have a UTC offset, got 2026-06-21T15:00:00"):
         sky(metadata={"time": "2026-06-21T15:00"}).save(tmp_path / "naive.exr")
@@ -119,13 +117,39 @@ def test_failing_writing_leaves_what_was_there(tmp_path):
     with pytest.raises(RuntimeError, match="disc is full"):
         write_half_of_it()
     bad = np.full((4, 8, 3), np.nan)
-    for write in (write_exr, write_hdr, write_png):
+    for write, pixels in ((exr.write, {"RGB": bad}), (hdr.write, bad), (png.write, bad)):
         with pytest.raises(ValueError, match="finite"):
-            write(path, bad)
+            write(path, pixels)
     with pytest.raises(TypeError):
-        write_exr(path, np.zeros((4, 8, 3)), header={"model": object()})
+        exr.write(path, {"RGB": np.zeros((4, 8, 3))}, header={"model": object()})
     assert path.read_bytes() == b"before"
     assert os.listdir(tmp_path) == ["sky.exr"]
+
+
+def test_headers_are_told_without_the_pixels(tmp_path):
+    """A file cut off behind its header still tells what it is."""
+    sky().save(tmp_path / "sky.exr")
+    sky().save(tmp_path / "sky.hdr")
+    whole, (rows, columns) = exr.header(tmp_path / "sky.exr"), exr.size(exr.header(tmp_path / "sky.exr"))
+    assert exr.read(tmp_path / "sky.exr")[0].shape == (rows, columns, 3)
+    assert whole["skydome:projection"] == repr(sky().projection)
+    stated, size = hdr.header(tmp_path / "sky.hdr")
+    assert size == (rows, columns)
+    assert stated == hdr.read(tmp_path / "sky.hdr")[1]
+    data = (tmp_path / "sky.hdr").read_bytes()
+    (tmp_path / "cut.hdr").write_bytes(data[: data.index(b"+X") + 20])
+    assert hdr.header(tmp_path / "cut.hdr") == (stated, size)
+    with pytest.raises(ValueError, match="expected an OpenEXR file"):
+        exr.header(tmp_path / "sky.hdr")
+
+
+def test_depth_may_be_infinite_and_light_may_not(tmp_path):
+    light, depth = np.ones((2, 4, 3)), np.full((2, 4), np.inf)
+    exr.write(tmp_path / "deep.exr", {"RGB": light, "Z": depth})
+    assert exr.read(tmp_path / "deep.exr")[0].tolist() == light.tolist()
+    for channels in ({"RGB": light * np.inf, "Z": depth}, {"RGB": light, "Z": depth * np.nan}):
+        with pytest.raises(ValueError, match="finite"):
+            exr.write(tmp_path / "deep.exr", channels)
 
 
 def test_written_files_have_the_usual_permissions(tmp_path):
@@ -182,7 +206,7 @@ def complaint_of(read, path):
     return None
 
 
-@pytest.mark.parametrize(("suffix", "read"), [(".exr", read_exr), (".hdr", read_hdr)])
+@pytest.mark.parametrize(("suffix", "read"), [(".exr", exr.read), (".hdr", hdr.read)])
 def test_damaged_files_are_refused_in_one_line(suffix, read, tmp_path):
     sky().save(tmp_path / f"good{suffix}")
     good = (tmp_path / f"good{suffix}").read_bytes()
@@ -199,14 +223,14 @@ def test_huge_headers_are_refused_before_memory_is_taken(tmp_path):
     path = tmp_path / "huge.hdr"
     path.write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 400000 +X 30000\n\x02\x02")
     with pytest.raises(ValueError, match="pixels must take at most") as caught:
-        read_hdr(path)
+        hdr.read(path)
     one_line(caught)
     path.write_bytes(b"#?RADIANCE\n\n-Y 10000 +X 10000\n\x02\x02")
     with pytest.raises(ValueError, match="needs more than the 32 bytes"):
-        read_hdr(path)
+        hdr.read(path)
     sky().save(tmp_path / "sky.exr")
     with pytest.raises(ValueError, match="pixels must take at most 1000 bytes, got 64 x 32"):
-        read_exr(tmp_path / "sky.exr", max_bytes=1000)
+        exr.read(tmp_path / "sky.exr", max_bytes=1000)
 
 
 def test_exr_without_rgb_and_with_nan(tmp_path):
@@ -215,10 +239,10 @@ def test_exr_without_rgb_and_with_nan(tmp_path):
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     OpenEXR.File(header, {"Y": np.ones((4, 8), dtype=np.float32)}).write(str(tmp_path / "grey.exr"))
     with pytest.raises(ValueError, match="channels R, G and B are needed, got Y"):
-        read_exr(tmp_path / "grey.exr")
+        exr.read(tmp_path / "grey.exr")
     planes = {name: np.full((4, 8), np.nan, dtype=np.float32) for name in "RGBA"}
     OpenEXR.File(header, planes).write(str(tmp_path / "nan.exr"))
-    assert np.isnan(read_exr(tmp_path / "nan.exr")[0]).all()
+    assert np.isnan(exr.read(tmp_path / "nan.exr")[0]).all()
     with pytest.raises(ValueError, match="pixels must be finite"):
         load(tmp_path / "nan.exr")
 

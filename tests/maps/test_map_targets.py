@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from skydome.ground import exr
 from skydome.ground.directions import direction
-from skydome.ground.exr import read_exr
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Fisheye
@@ -85,7 +85,7 @@ FORMULAS = {
 @pytest.mark.parametrize("half", [False, True])
 def test_renderers_formula_finds_compass_and_spot_in_the_file(name, half, tmp_path):
     card().save(tmp_path / "card.exr", target=name, half=half)
-    pixels, header = read_exr(tmp_path / "card.exr")
+    pixels, header = exr.read(tmp_path / "card.exr")
     assert header["skydome:target"] == name
 
     def seen(toward):
@@ -138,7 +138,7 @@ def test_compass_in_other_layouts(name, tmp_path):
     convention = target(name)
     assert type(convention.projection) in (EqualAreaSquare, CubeMap, Fisheye)
     card().save(tmp_path / "card.exr", target=name)
-    pixels, header = read_exr(tmp_path / "card.exr")
+    pixels, header = exr.read(tmp_path / "card.exr")
     assert "envmap" not in header
     for azimuth, colour in zip((3, 93, 183, 273), COMPASS.values(), strict=True):
         row, column, _ = convention.projection.pixels(direction(azimuth * deg, 45 * deg), len(pixels))

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skydome.ground.hdr import decode_rgbe, encode_rgbe, read_hdr, write_hdr
+from skydome.ground import hdr
+from skydome.ground.hdr import decode_rgbe, encode_rgbe
 from skydome.light.colour import RADIANCE
 from skydome.maps.environment_map import EnvironmentMap
 
@@ -16,8 +17,8 @@ def test_rgbe_scanlines_come_back_within_half_a_step(columns, tmp_path):
     rng = np.random.default_rng(columns)
     pixels = 10 ** rng.uniform(-30, 30, (5, columns, 1)) * rng.random((5, columns, 3))
     pixels[0, 0] = 0
-    write_hdr(tmp_path / "x.hdr", pixels, {"EXPOSURE": 2.0, "note": "two\nlines"})
-    back, header = read_hdr(tmp_path / "x.hdr")
+    hdr.write(tmp_path / "x.hdr", pixels, {"EXPOSURE": 2.0, "note": "two\nlines"})
+    back, header = hdr.read(tmp_path / "x.hdr")
     assert (np.abs(back - pixels) <= pixels.max(axis=-1, keepdims=True) / 255).all()
     assert (back[0, 0] == 0).all()
     assert (header["EXPOSURE"], header["note"]) == ("2.0", "two lines")
@@ -35,7 +36,7 @@ def test_run_length_coded_files_of_others_are_read(tmp_path):
     head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\nEXPOSURE=.5\n\n-Y 1 +X 8\n"
     line = bytes([2, 2, 0, 8, 128 + 8, 10, 3, 1, 2, 3, 128 + 5, 4, 8, *range(8), 128 + 8, 136])
     (tmp_path / "x.hdr").write_bytes(head + line)
-    pixels, header = read_hdr(tmp_path / "x.hdr")
+    pixels, header = hdr.read(tmp_path / "x.hdr")
     assert header["EXPOSURE"] == "1.0"
     np.testing.assert_allclose(pixels[0, :, 0], 10.5)
     np.testing.assert_allclose(pixels[0, :, 1], np.array([1, 2, 3, 4, 4, 4, 4, 4]) + 0.5)
@@ -52,10 +53,10 @@ def radiance_program(name):
 def test_radiance_reads_our_pictures(columns, tmp_path):
     """Radiance's own pvalue gives our values; mitsuba's reader agrees but for the half step that it leaves out."""
     pixels = np.random.default_rng(4).random((10, columns, 3)) * 100 + 1
-    write_hdr(tmp_path / "x.hdr", pixels)
+    hdr.write(tmp_path / "x.hdr", pixels)
     command = [radiance_program("pvalue"), "-h", "-H", "-d", str(tmp_path / "x.hdr")]
     seen = np.loadtxt(subprocess.run(command, capture_output=True, check=True, text=True).stdout.splitlines())
-    stored, _ = read_hdr(tmp_path / "x.hdr")
+    stored, _ = hdr.read(tmp_path / "x.hdr")
     np.testing.assert_allclose(seen.reshape(10, columns, 3), stored, rtol=2e-3)
     mi = pytest.importorskip("mitsuba")
     mi.set_variant("scalar_rgb")
@@ -88,5 +89,5 @@ def test_other_radiance_headers(head, words, tmp_path):
     path = tmp_path / "odd.hdr"
     path.write_bytes(head + b"\0" * 128)
     with pytest.raises(ValueError, match=words) as caught:
-        read_hdr(path)
+        hdr.read(path)
     assert "\n" not in str(caught.value)

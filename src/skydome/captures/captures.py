@@ -13,6 +13,7 @@ import numpy as np
 from skydome.captures.high_dynamic_range import require_hdr
 from skydome.captures.level_probe import LevelProbe
 from skydome.captures.sky_mask import read_mask, sky_mask
+from skydome.captures.stored_layout import stated_layout
 from skydome.captures.sun_finding import find_sun, sun_pixels
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
@@ -175,12 +176,9 @@ def map_files(folder: Path) -> list[Path]:
 
 def as_stored(path: Path, projection: Projection) -> Projection:
     """The layout to read a file in; ValueError where its header states another one, or its shape is of another."""
-    from skydome.captures.stored_layout import picture_shape, stated_projection
-
-    stated = stated_projection(path)
+    stated, (rows, columns) = stated_layout(path)
     if stated is not None and stated != repr(projection):
         raise ValueError(f"all maps must have the layout asked for, {projection}, but {path.name} states {stated}")
-    rows, columns = picture_shape(path)
     wanted = 2 * rows if isinstance(projection, Equirectangular) else rows
     if columns != wanted:
         raise ValueError(f"{path.name} is {columns} x {rows}, which is no map of the layout {projection}")

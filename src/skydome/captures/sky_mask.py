@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
+from skydome.ground import png
 from skydome.ground.directions import angle_between, elevation
-from skydome.ground.png import write_png
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
@@ -120,7 +120,7 @@ def grown(mask: np.ndarray, brightness: np.ndarray, above: np.ndarray) -> np.nda
 
 def write_mask(path: str | PathLike[str], mask: np.ndarray) -> None:
     """Write a mask as a PNG to paint in: white is sky, black is not; atomically."""
-    write_png(path, np.repeat(mask[..., None].astype(np.float64), 3, axis=-1), {"mask": "white: sky"})
+    png.write(path, np.repeat(mask[..., None].astype(np.float64), 3, axis=-1), {"mask": "white: sky"})
 
 
 def read_mask(path: str | PathLike[str], shape: tuple[int, int]) -> np.ndarray:

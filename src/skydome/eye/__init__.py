@@ -4,7 +4,7 @@
 - point_spread   How the eye spreads a point of light, luminance seen per illuminance at the eye
 - glow           The picture of one bright source in the eye, or as a plain disc
 - streaks        The fine structure of glare, the needles of the ciliary corona
-- view           What is seen in a direction: a flat picture, or a round one of the half sphere in front
+- view           What is seen in a direction: a camera's flat picture, or a round one of the half sphere in front
 - view_blur      Scattering in the eye over a flat picture, a convolution by FFT
 - sphere_blur    Scattering in the eye over the whole sphere: a product of zonal spherical harmonics
 - bright_source  Suns and lamps in a map, found, taken out of the texels, and known by direction

@@ -10,7 +10,7 @@ from skydome.eye.glow import Glow, disc_glow
 from skydome.eye.point_spread import PIGMENTS, CIETotal, PointSpread, StilesHolladay
 from skydome.eye.sphere_blur import blurred_map
 from skydome.eye.streaks import Needles
-from skydome.eye.view import Frame, View
+from skydome.eye.view import Camera, Frame, require_view_of_glare
 from skydome.eye.view_blur import blurred
 from skydome.light.colour import RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
@@ -93,11 +93,12 @@ class Eye:
         angle, value = disc_glow(self.own_spread, radius, share, space)
         return Glow(angle, value, radius, needles)
 
-    def look(self, environment: EnvironmentMap, view: View, sources: list[BrightSource] | None = None) -> Seen:
+    def look(self, environment: EnvironmentMap, view: Camera, sources: list[BrightSource] | None = None) -> Seen:
         """The map as seen in a view, without and with scattering; suns in the map are found unless given.
 
         `sources` are added to the map: give them for a map that does not hold its sun.
         """
+        require_view_of_glare(view)
         if sources is None:
             environment, sources = without_sources(environment)
         scene = view.seen(environment)

@@ -7,7 +7,7 @@ import numpy as np
 from skydome.eye.bright_source import BrightSource, without_sources
 from skydome.eye.eye import Seen
 from skydome.eye.glow import Glow
-from skydome.eye.view import View
+from skydome.eye.view import Camera, require_view_of_glare
 from skydome.maps.environment_map import EnvironmentMap
 
 SOFT = 3.0  # pixels over which a ghost's edge falls
@@ -36,8 +36,9 @@ class LensFlare:
         if self.seed < 0:
             raise ValueError(f"seed of a lens flare must be 0 or more, got {self.seed}")
 
-    def look(self, environment: EnvironmentMap, view: View) -> Seen:
+    def look(self, environment: EnvironmentMap, view: Camera) -> Seen:
         """The map as a camera sees it in a view, without and with the flare of its suns."""
+        require_view_of_glare(view)
         calm, sources = without_sources(environment)
         scene = view.seen(calm)
         plain, flared = scene.copy(), scene
@@ -48,7 +49,7 @@ class LensFlare:
             flared += np.float32(1 - share) * disc + spots
         return Seen(plain, flared, sources, environment.space)
 
-    def spots(self, source: BrightSource, view: View) -> tuple[np.ndarray, float]:
+    def spots(self, source: BrightSource, view: Camera) -> tuple[np.ndarray, float]:
         """Ghosts and haze of one source in a view, (H, W, 3) float32, and the share of its light they were given.
 
         They fade as the source leaves the picture, and are gone where it is a whole width outside.
@@ -66,14 +67,14 @@ class LensFlare:
         share = random.dirichlet(np.ones(self.ghosts))[:, None] * random.dirichlet((4.0, 4.0, 4.0), self.ghosts)
         share *= self.strength / share.sum(axis=0)  # (ghosts, 3): tints that add up to white
         for part in share:
-            along, size = random.uniform(-1.3, 0.8), view.side * random.uniform(0.012, 0.07)
+            along, size = random.uniform(-1.3, 0.8), view.width * random.uniform(0.012, 0.07)
             centre = rows / 2 + along * (row - rows / 2), columns / 2 + along * (column - columns / 2)
             for channel in range(3):
                 spot = self.aperture(view, centre, size * (1 + 0.03 * (1 - channel)))
                 picture[..., channel] += spot * np.float32(weight[channel] * part[channel])
         return picture, fade * (self.strength + self.haze)
 
-    def aperture(self, view: View, centre: tuple[float, float], size: float) -> np.ndarray:
+    def aperture(self, view: Camera, centre: tuple[float, float], size: float) -> np.ndarray:
         """A soft polygon (H, W) float32 about a place, of circumradius `size` in pixels, that integrates to 1 sr^-1."""
         rows, columns = view.shape
         down = np.arange(rows, dtype=np.float32)[:, None] + np.float32(0.5 - centre[0])

@@ -13,8 +13,11 @@ from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
 
+PIXELS = 16384
 FIELDS_OF_VIEW = (1.0, 150.0)
 SIDES = (16, 8192)
+"""Degrees and pixels of the views whose glare can be painted."""
+
 CHUNK = 1 << 16
 
 
@@ -22,8 +25,8 @@ CHUNK = 1 << 16
 class Frame(ABC):
     """Where one looks: azimuth clockwise from north and elevation, radians; the horizon lies level in the picture."""
 
-    azimuth: float
-    elevation: float
+    azimuth: float = 0.0
+    elevation: float = 0.0
 
     def __post_init__(self) -> None:
         if not math.isfinite(self.azimuth):
@@ -60,10 +63,11 @@ class Frame(ABC):
     def solid_angles(self) -> np.ndarray:
         """Solid angle of each pixel, sr, shape (H, W)."""
 
-    def directions(self) -> np.ndarray:
-        """Unit vectors at the pixel centres, shape (H, W, 3)."""
+    def directions(self, first: int = 0, last: int | None = None) -> np.ndarray:
+        """Unit vectors at the pixel centres of rows first..last, all by default, shape (R, W, 3)."""
         rows, columns = self.shape
-        return self.toward(np.arange(rows)[:, None] + 0.5, np.arange(columns)[None, :] + 0.5)
+        row = np.arange(first, rows if last is None else last)[:, None] + 0.5
+        return self.toward(row, np.arange(columns)[None, :] + 0.5)
 
     def seen(self, environment: EnvironmentMap) -> np.ndarray:
         """Linear RGB of the map at each pixel centre, (H, W, 3) float32, (1, 1, 1) being 1 cd m-2."""
@@ -104,37 +108,49 @@ def blended_texels(environment: EnvironmentMap) -> Callable[[np.ndarray], np.nda
 
 
 @dataclass(frozen=True)
-class View(Frame):
-    """A flat picture of `fov` radians from left to right, `side` pixels wide and, unless `rows` says else, high.
+class Camera(Frame):
+    """A flat picture of `field_of_view` radians from left to right, `width` pixels wide and `height` high, or square.
 
-    >>> south = View(180 * deg, 20 * deg, fov=60 * deg, side=64)
+    On land it stands `east` and `north` of the map's middle, m, and `above_ground`, m; a map of the sky is infinitely
+    far away, and looks the same from everywhere.
+
+    >>> south = Camera(180 * deg, 20 * deg, field_of_view=60 * deg, width=64)
     >>> row, column = south.place(direction(180 * deg, 20 * deg))
     >>> float(row), float(column)
     (32.0, 32.0)
     """
 
-    fov: float = 60 * deg
-    side: int = 1024
-    rows: int | None = None
+    field_of_view: float = 60 * deg
+    width: int = 1024
+    height: int | None = None
+    east: float = 0.0
+    north: float = 0.0
+    above_ground: float = 2.0
 
     def __post_init__(self) -> None:
+        """Validate only."""
         super().__post_init__()
-        low, high = FIELDS_OF_VIEW
-        if not low <= self.fov / deg * (1 + 1e-12) or not self.fov / deg <= high * (1 + 1e-12):
-            raise ValueError(f"fov must lie in [{low:g}, {high:g}] degrees, got {self.fov / deg:g}")
-        for name, size in (("side", self.side), ("rows", self.shape[0])):
-            if not SIDES[0] <= size <= SIDES[1]:
-                raise ValueError(f"{name} of a view must lie in [{SIDES[0]}, {SIDES[1]}] pixels, got {size}")
+        rows, columns = self.shape
+        if not (1 <= columns <= PIXELS and 1 <= rows <= PIXELS):
+            raise ValueError(f"a picture must have 1 to {PIXELS} pixels a side, got {columns} x {rows}")
+        if not 0 < self.field_of_view < 170 * deg:
+            raise ValueError(f"the field of view must lie in (0, 170) degrees, got {self.field_of_view / deg:g}")
+        if not (math.isfinite(self.east) and math.isfinite(self.north)):
+            raise ValueError(f"the camera's place must be finite, got {self.east:g}, {self.north:g}")
+        if not 0 < self.above_ground < 1e5:
+            raise ValueError(
+                f"the camera must stand above the ground, by 0 to 100 km, got {self.above_ground:g} m above it"
+            )
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rows and columns."""
-        return (self.side if self.rows is None else self.rows), self.side
+        return (self.width if self.height is None else self.height), self.width
 
     @property
     def pixel(self) -> float:
         """Width of the pixel in the middle, radians (tangent of its angle)."""
-        return 2 * math.tan(self.fov / 2) / self.side
+        return 2 * math.tan(self.field_of_view / 2) / self.width
 
     def plane(self, row: Any, column: Any) -> tuple[np.ndarray, np.ndarray]:
         """Tangents to the right and up of continuous pixel coordinates."""
@@ -161,6 +177,23 @@ class View(Frame):
         x, y = self.plane(np.arange(rows)[:, None] + 0.5, np.arange(columns)[None, :] + 0.5)
         angles: np.ndarray = self.pixel**2 / (1 + x * x + y * y) ** 1.5
         return angles
+
+    def solid_angle_toward(self, directions: Any) -> np.ndarray:
+        """Solid angle, sr, of a pixel in each direction (..., 3), shape (...,); 0 behind the camera."""
+        ahead = np.asarray(directions, dtype=np.float64) @ self.forward
+        return np.where(ahead > 1e-9, self.pixel**2 * ahead**3, 0.0)
+
+
+def require_view_of_glare(view: Camera) -> None:
+    """ValueError for a view in which glare cannot be painted: too wide or narrow, of too few or too many pixels."""
+    low, high = FIELDS_OF_VIEW
+    degrees = view.field_of_view / deg
+    if not low <= degrees * (1 + 1e-12) or not degrees <= high * (1 + 1e-12):
+        raise ValueError(f"the field of view of glare must lie in [{low:g}, {high:g}] degrees, got {degrees:g}")
+    rows, columns = view.shape
+    for name, size in (("width", columns), ("height", rows)):
+        if not SIDES[0] <= size <= SIDES[1]:
+            raise ValueError(f"{name} of a view of glare must lie in [{SIDES[0]}, {SIDES[1]}] pixels, got {size}")
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,8 @@
 - quadrature  Quadrature over the upper hemisphere: nodes that crowd where skies are steep, weights in steradian
 - tables      Tables of measured and fitted figures: each a file in `data/` with its source written beside it
 - tone        From scene to screen: exposure, and curves that bring any brightness into 0..1 without turning a hue
-- images      Pictures in and out, by format
 - png         PNG pictures: 8 bit sRGB
 - hdr         Radiance pictures: RGB with a shared exponent, one byte each
-- exr         OpenEXR files with their light's unit, place, time and provenance in the header
+- exr         OpenEXR files with their light's unit, place, time and provenance in the header: one writer, one reader
 - writing     Files that appear whole or not at all
 """

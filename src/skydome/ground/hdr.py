@@ -16,10 +16,11 @@ import numpy as np
 from skydome.ground.writing import appearing
 
 MAX_BYTES = 1 << 31
+MAX_HEADER = 1 << 20
 RUN_LENGTH_WIDTHS = range(8, 32768)
 
 
-def write_hdr(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
+def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
     """Write RGB (H, W, 3) to a Radiance picture, atomically; parts below 0 become 0, a byte holds 1 part in 256.
 
     In Radiance a value is W m-2 sr-1 per channel after division by the header's EXPOSURE, in the primaries of the
@@ -75,7 +76,7 @@ def literal_runs(encoded: np.ndarray) -> np.ndarray:
     return np.concatenate([marks, planes.reshape(rows, -1)], axis=1)
 
 
-def read_hdr(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.ndarray, dict[str, str]]:
+def read(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.ndarray, dict[str, str]]:
     """RGB (H, W, 3) float32 of a Radiance picture as stored, and its header by name; EXPOSURE is the product of all.
 
     ValueError with one line for a file that is no such picture, ends early, is XYZE or turned, or is above `max_bytes`.
@@ -83,38 +84,44 @@ def read_hdr(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.
     if Path(path).stat().st_size > max_bytes:
         raise ValueError(f"a picture must take at most {max_bytes} bytes, got {Path(path).stat().st_size} in {path}")
     data = Path(path).read_bytes()
-    header, size, start = parse_header(data, path)
-    rows, columns = size
+    stated, (rows, columns), start = parsed_header(data, path)
     if rows * columns * 12 > max_bytes:
         raise ValueError(f"pixels must take at most {max_bytes} bytes, got {columns} x {rows} in {path}")
     if rows * columns > 64 * len(data):  # a run of 127 takes two bytes
         raise ValueError(f"a Radiance picture of {columns} x {rows} needs more than the {len(data)} bytes of {path}")
     try:
-        return decode_rgbe(decode_scanlines(data, start, rows, columns)), header
+        return decode_rgbe(decode_scanlines(data, start, rows, columns)), stated
     except (IndexError, ValueError) as error:
         raise ValueError(f"cannot read {path}: its scanlines are damaged or end early") from error
 
 
-def parse_header(data: bytes, path: Any) -> tuple[dict[str, str], tuple[int, int], int]:
+def header(path: str | PathLike[str]) -> tuple[dict[str, str], tuple[int, int]]:
+    """The header of a Radiance picture by name, and its rows and columns; its scanlines are not read."""
+    with Path(path).open("rb") as file:
+        stated, size, _ = parsed_header(file.read(MAX_HEADER + 200), path)
+    return stated, size
+
+
+def parsed_header(data: bytes, path: Any) -> tuple[dict[str, str], tuple[int, int], int]:
     """Header values by name, (rows, columns), and where the scanlines start."""
-    end = data.find(b"\n\n", 0, 1 << 20)
+    end = data.find(b"\n\n", 0, MAX_HEADER)
     stop = data.find(b"\n", end + 2, end + 200)
     if not data.startswith(b"#?") or end < 0 or stop < 0:
         raise ValueError(f"expected a Radiance picture, got {path}")
-    header: dict[str, str] = {}
+    stated: dict[str, str] = {}
     exposure = 1.0
     for line in data[:end].decode("utf-8", "replace").splitlines()[1:]:
         name, equals, value = line.partition("=")
         if equals and name == "EXPOSURE":
             exposure *= positive(value, path)
         elif equals:
-            header[name.strip()] = value.strip()
-    if header.get("FORMAT", "32-bit_rle_rgbe") != "32-bit_rle_rgbe":
-        raise ValueError(f"FORMAT must be 32-bit_rle_rgbe, got {header['FORMAT']} in {path}")
+            stated[name.strip()] = value.strip()
+    if stated.get("FORMAT", "32-bit_rle_rgbe") != "32-bit_rle_rgbe":
+        raise ValueError(f"FORMAT must be 32-bit_rle_rgbe, got {stated['FORMAT']} in {path}")
     size = data[end + 2 : stop].decode("ascii", "replace").split()
     if len(size) != 4 or size[0] != "-Y" or size[2] != "+X" or not (size[1] + size[3]).isdecimal():
         raise ValueError(f"the size must read -Y rows +X columns, got {' '.join(size)[:40]!r} in {path}")
-    return header | {"EXPOSURE": repr(exposure)}, checked_size(int(size[1]), int(size[3]), path), stop + 1
+    return stated | {"EXPOSURE": repr(exposure)}, checked_size(int(size[1]), int(size[3]), path), stop + 1
 
 
 def positive(text: str, path: Any) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from skydome.ground.writing import appearing
 
 
-def write_png(path: str | PathLike[str], encoded: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
+def write(path: str | PathLike[str], encoded: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
     """Write sRGB-encoded values (H, W, 3) in 0..1 as an 8 bit PNG, atomically; `header` becomes its text entries."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo

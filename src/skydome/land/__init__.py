@@ -3,8 +3,6 @@
 - picture         Pictures of real land, an elevation model under a sky, with shadows, skylight on slopes
 - elevation       Elevation models: heights on a grid in metres, from GeoTIFF, .npz and .hgt files
 - texture         Reflectance of land from a photograph of it from above, laid onto the elevation model
-- camera          A perspective camera on the terrain
-- depth           OpenEXR files with depth: linear RGB and Z
 - rays_kernel     Rays over a heightfield by a maximum mipmap, the light on it, and whole pictures, compiled
 - picture_kernel  Rows of a terrain picture: rays, sun and shadows, skylight, and the air before them, compiled
 """

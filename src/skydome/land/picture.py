@@ -9,15 +9,17 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.integrals import discs_and_rest
+from skydome.eye.view import Camera
+from skydome.ground import exr, png
 from skydome.ground.directions import direction, unit
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.haze.aerial_perspective import AirLight
 from skydome.haze.fast import FastTables
 from skydome.haze.ward_larson import WardLarson
-from skydome.land.camera import Camera
 from skydome.land.elevation import Elevation
 from skydome.light.colour import SRGB, encode_srgb, rgb_from_xyz
+from skydome.maps.files import light_unit
 from skydome.skies.sky import ColourSky, Sky
 
 EARTH_RADIUS = 6_371_000.0
@@ -60,14 +62,11 @@ class TerrainPicture:
 
     def save(self, path: str | PathLike[str], exposure: float | None = None) -> None:
         """Write a .png (tone-mapped) or an .exr (linear, with the depth in channel Z)."""
-        from skydome.ground.png import write_png
-        from skydome.land.depth import write_exr_with_depth
-
         suffix = Path(path).suffix.lower()
         if suffix == ".png":
-            write_png(path, self.encoded(exposure))
+            png.write(path, self.encoded(exposure))
         elif suffix == ".exr":
-            write_exr_with_depth(path, self.rgb, self.depth)
+            exr.write(path, {"RGB": self.rgb, "Z": self.depth}, light_unit(SRGB))
         else:
             raise ValueError(f"a terrain picture must end in .png or .exr, got {Path(path).name!r}")
 
@@ -102,17 +101,19 @@ def render_terrain(
     sunlight, rest = sun_of(sky), skylight_of(sky)
     lit = lit_slopes(ground, rest, sunlight, surface[3])
     kind, fog, densities, tables = air_for(air, z - base)
-    forward, right, up = (np.asarray(part, dtype=np.float64) for part in camera.frame())
+    height, width = camera.shape
+    right, up, forward = camera.axes
     background = background_of(sky, camera)
-    view = (u, v, float(z), forward, right, up, camera.width, camera.height)
-    rgb, depth = np.zeros((camera.height, camera.width, 3), np.float32), np.zeros((camera.height, camera.width))
-    for first in range(0, camera.height, ROWS_AT_A_TIME):
-        last = min(first + ROWS_AT_A_TIME, camera.height)
+    half = camera.pixel / 2
+    view = (u, v, float(z), forward, right * (half * width), up * (half * height), width, height)
+    rgb, depth = np.zeros((height, width, 3), np.float32), np.zeros((height, width))
+    for first in range(0, height, ROWS_AT_A_TIME):
+        last = min(first + ROWS_AT_A_TIME, height)
         rows = rgb[first:last], depth[first:last]
         light = background[first:last], sunlight, lit, surface
         picture_rows(ground, view, first, samples, seed, *light, kind, fog, densities, tables, *rows)
         if progress is not None:
-            progress(last, camera.height)
+            progress(last, height)
     return TerrainPicture(rgb, depth.astype(np.float32))
 
 
@@ -200,18 +201,21 @@ def rgb_of(skies: list[Sky], directions: np.ndarray) -> np.ndarray:
 def background_of(sky: Sky, camera: Camera) -> np.ndarray:
     """RGB (H, W, 3) of the sky with the sun's disc, whose energy is right at every resolution."""
     discs, rest = discs_and_rest(sky)
-    image = np.zeros((camera.height, camera.width, 3))
-    for first in range(0, camera.height, ROWS_AT_A_TIME):
-        last = min(first + ROWS_AT_A_TIME, camera.height)
+    height, width = camera.shape
+    image = np.zeros((height, width, 3))
+    for first in range(0, height, ROWS_AT_A_TIME):
+        last = min(first + ROWS_AT_A_TIME, height)
         views = camera.directions(first, last)
         views[..., 2] = np.maximum(views[..., 2], HORIZON)  # a pixel on the horizon has sky in its upper part
         image[first:last] = np.maximum(rgb_of(rest, unit(views)), 0.0)
     for disc, weight in discs:
         points, light = disc.points(SUN_POINTS)
-        row, column, solid_angle = camera.pixels(points)
-        seen = (row >= 0) & (row < camera.height) & (column >= 0) & (column < camera.width) & (solid_angle > 0)
-        radiance = np.maximum(rgb_from_xyz(light) * weight, 0.0)[seen] / solid_angle[seen, None]
-        np.add.at(image, (row[seen], column[seen]), radiance)
+        row, column = (np.floor(place) for place in camera.place(points))  # NaN behind the camera
+        seen = (row >= 0) & (row < height) & (column >= 0) & (column < width)
+        radiance = (
+            np.maximum(rgb_from_xyz(light) * weight, 0.0)[seen] / camera.solid_angle_toward(points[seen])[:, None]
+        )
+        np.add.at(image, (row[seen].astype(int), column[seen].astype(int)), radiance)
     return image
 
 

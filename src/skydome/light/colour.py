@@ -69,6 +69,11 @@ class RGBSpace:
         """The 3x3 matrix of XYZ columns to linear RGB, the inverse of `to_xyz`."""
         return matrix_from_xyz(self)
 
+    @property
+    def chromaticities(self) -> tuple[float, ...]:
+        """CIE x, y of red, green, blue and white, (8,), as OpenEXR and Radiance order them."""
+        return (*self.red, *self.green, *self.blue, *self.white)
+
     def adapted(self, white: Chromaticity | None) -> "RGBSpace":
         """The same space with XYZ of the colour `white` at RGB (1, 1, 1) by Bradford; None: plain colorimetry.
 

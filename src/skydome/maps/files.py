@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.exr import HALF_MAXIMUM, write_exr
-from skydome.ground.images import write_hdr, write_png
+from skydome.ground import exr, hdr, png
 from skydome.ground.tone import Curve
 from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
@@ -52,7 +51,7 @@ def save(
     elif suffix == ".hdr":
         save_hdr(environment, path, notes)
     else:
-        write_png(path, preview(environment, exposure, curve), notes)
+        png.write(path, preview(environment, exposure, curve), notes)
 
 
 def save_exr(environment: MapPixels, path: str | PathLike[str], half: bool, notes: dict[str, Any]) -> None:
@@ -60,35 +59,34 @@ def save_exr(environment: MapPixels, path: str | PathLike[str], half: bool, note
     scale = half_scale(environment.pixels) if half else 1.0
     pixels = environment.pixels if scale == 1 else environment.pixels / environment.pixels.dtype.type(scale)
     header = {
-        "chromaticities": chromaticities_of(environment.space),
-        "whiteLuminance": environment.white_luminance * scale,
+        **light_unit(environment.space, environment.white_luminance * scale),
         "comments": f"RGB times {environment.white_luminance * scale:g} is luminance in cd m-2 (Y); texel centres.",
         **{name: float(environment.metadata[name]) for name in PLACE if name in environment.metadata},
         **time_attributes(environment.metadata.get("time")),
         **notes,
     }
     seen_from_inside = isinstance(environment.projection, Equirectangular) and not environment.projection.mirrored
-    write_exr(path, pixels, half, header, latlong=seen_from_inside)
+    exr.write(path, {"RGB": pixels}, header, half, latlong=seen_from_inside)
 
 
 def half_scale(pixels: np.ndarray) -> float:
     """The smallest power of ten, 1 or more, that brings the largest value within half floats."""
     peak = float(np.max(np.abs(pixels), initial=0.0))
-    return 10.0 ** max(0, math.ceil(math.log10(peak / HALF_MAXIMUM))) if 0 < peak < math.inf else 1.0
+    return 10.0 ** max(0, math.ceil(math.log10(peak / exr.HALF_MAXIMUM))) if 0 < peak < math.inf else 1.0
 
 
 def save_hdr(environment: MapPixels, path: str | PathLike[str], notes: dict[str, Any]) -> None:
     """Radiance picture: cd m-2 / 179 in the map's own primaries, stated in PRIMARIES."""
-    primaries = " ".join(f"{value:.4f}" for value in chromaticities_of(environment.space))
+    primaries = " ".join(f"{value:.4f}" for value in environment.space.chromaticities)
     place = {name: environment.metadata[name] for name in (*PLACE, "time") if name in environment.metadata}
     header = {"SOFTWARE": "skydome", "EXPOSURE": 1.0, "PRIMARIES": primaries, **place, **notes}
     factor = environment.pixels.dtype.type(environment.white_luminance / RADIANCE_EFFICACY)
-    write_hdr(path, environment.pixels * factor, header)
+    hdr.write(path, environment.pixels * factor, header)
 
 
-def chromaticities_of(space: RGBSpace) -> tuple[float, ...]:
-    """CIE x, y of red, green, blue and white, as OpenEXR and Radiance order them."""
-    return (*space.red, *space.green, *space.blue, *space.white)
+def light_unit(space: RGBSpace, white_luminance: float = 1.0) -> dict[str, Any]:
+    """OpenEXR's attributes that say what light RGB is: its primaries, and the cd m-2 of RGB (1, 1, 1)."""
+    return {"chromaticities": space.chromaticities, "whiteLuminance": white_luminance}
 
 
 def time_attributes(time: Any) -> dict[str, Any]:

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.images import read_exr, read_hdr
+from skydome.ground import exr, hdr
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.files import PLACE, RADIANCE_EFFICACY, chromaticities_of
+from skydome.maps.files import PLACE, RADIANCE_EFFICACY
 from skydome.maps.projection import Projection
 from skydome.maps.targets import target as target_named
 
@@ -35,7 +35,7 @@ def load(path: str | PathLike[str], target: str = "native", projection: Projecti
 
 def load_exr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
     """The map in an OpenEXR file; sRGB primaries where the file names none."""
-    pixels, header = read_exr(path, finite=True)
+    pixels, header = exr.read(path, finite=True)
     facts: dict[str, Any] = {name: float(header[name]) for name in PLACE if name in header}
     moment = time_of(header)
     facts |= {"time": moment} if moment else {}
@@ -46,7 +46,7 @@ def load_exr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
 
 def load_hdr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
     """The map in a Radiance picture; Radiance's own primaries where the file names none."""
-    pixels, text = read_hdr(path)
+    pixels, text = hdr.read(path)
     stated = [float(value) for value in text["PRIMARIES"].split()] if "PRIMARIES" in text else None
     facts = {name: float(text[name]) for name in PLACE if name in text} | notes_of(text)
     facts |= {"time": text["time"]} if "time" in text else {}
@@ -61,7 +61,7 @@ def space_of(chromaticities: Sequence[float] | None, silent: RGBSpace) -> RGBSpa
     if len(chromaticities) != 8:
         raise ValueError(f"primaries must be eight numbers, got {len(chromaticities)}")
     for space in SPACES:
-        if np.allclose(chromaticities_of(space), chromaticities, rtol=0, atol=1e-3):
+        if np.allclose(space.chromaticities, chromaticities, rtol=0, atol=1e-3):
             return space
     red, green, blue, white = ((float(x), float(y)) for x, y in np.reshape(chromaticities, (4, 2)))
     return RGBSpace("as its file states", red, green, blue, white)

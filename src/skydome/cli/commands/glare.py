@@ -10,7 +10,7 @@ from skydome.cli.printing import show
 
 if TYPE_CHECKING:
     from skydome.eye.eye import Eye, Seen
-    from skydome.eye.view import View
+    from skydome.eye.view import Camera
     from skydome.maps.environment_map import EnvironmentMap
 
 PICTURES = (".png", ".exr")
@@ -51,12 +51,13 @@ def glare(
     """Show and measure the glare of a map: veil, halo and needles about the sun; glare probability, illuminance."""
     from skydome.eye.glare import glare as measured
     from skydome.eye.lens_flare import LensFlare
-    from skydome.eye.view import View
+    from skydome.eye.view import Camera, require_view_of_glare
     from skydome.ground.units import deg
 
     azimuth, elevation = numbers(view, 2, "--view", "180,20")
     looker = eye_of(age, iris, pupil, spread, seed)
-    frame = View(azimuth * deg, elevation * deg, fov * deg, size)
+    frame = Camera(azimuth * deg, elevation * deg, fov * deg, size)
+    require_view_of_glare(frame)
     refuse_picture(output, exposure)
     environment = bright_map(source, target, white)
     numbers_of_glare = measured(environment, frame.azimuth, frame.elevation, age)
@@ -121,25 +122,24 @@ def bright_map(path: Path, target: str, white: float | None) -> "EnvironmentMap"
     return environment
 
 
-def save_seen(path: Path, seen: "Seen", view: "View", exposure: float | None) -> None:
+def save_seen(path: Path, seen: "Seen", view: "Camera", exposure: float | None) -> None:
     """Write without and with side by side as .png under one exposure, or what the eye sees as linear .exr."""
     import numpy as np
 
-    from skydome.ground.images import write_exr, write_png
+    from skydome.ground import exr, png
     from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
     from skydome.light.colour import SRGB, encode_srgb
-    from skydome.maps.files import chromaticities_of
+    from skydome.maps.files import light_unit
 
     if path.suffix.lower() == ".exr":
-        header = {"chromaticities": chromaticities_of(seen.space), "whiteLuminance": 1.0}
-        write_exr(path, seen.eye, header=header)
+        exr.write(path, {"RGB": seen.eye}, light_unit(seen.space))
         return
     if exposure is None:
         exposure = auto_exposure(seen.eye @ seen.space.to_xyz[1], view.solid_angles())
     to_srgb = (SRGB.from_xyz @ seen.space.to_xyz * exposure).T.astype(np.float32)
     pictures = [encode_srgb(tone_mapped(picture @ to_srgb, Filmic())) for picture in (seen.plain, seen.eye)]
     gap = np.ones((view.shape[0], 8, 3), dtype=np.float32)
-    write_png(path, np.concatenate([pictures[0], gap, pictures[1]], axis=1), {"Software": "skydome glare"})
+    png.write(path, np.concatenate([pictures[0], gap, pictures[1]], axis=1), {"Software": "skydome glare"})
 
 
 def glare_facts(glare: Any) -> dict[str, Any]:

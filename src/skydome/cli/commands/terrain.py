@@ -72,7 +72,7 @@ def refuse_picture(path: Path, exposure: float | None) -> None:
 def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
     """The camera by its options."""
     from skydome import deg
-    from skydome.land.camera import Camera
+    from skydome.eye.view import Camera
 
     east, north, above = numbers(camera, 3, "--camera", "1200,-300,50")
     azimuth, elevation = numbers(look, 2, "--look", "270,-2")
@@ -80,7 +80,7 @@ def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
     width, height = int(wide), int(high)
     if (width, height) != (wide, high):
         raise ValueError(f"--size must be two whole numbers such as 1000,750, got {size!r}")
-    return Camera(east, north, above, azimuth * deg, elevation * deg, fov * deg, width, height)
+    return Camera(azimuth * deg, elevation * deg, fov * deg, width, height, east, north, above)
 
 
 def rows_done() -> Any:
