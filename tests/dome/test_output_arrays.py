@@ -29,9 +29,9 @@ def without_numba(monkeypatch):
     monkeypatch.setattr(fast_light, "LEAST_VALUES", 0)
     monkeypatch.setitem(sys.modules, "numba", None)
     monkeypatch.delitem(sys.modules, "skydome.skies.formula.kernel", raising=False)
-    import skydome.skies
+    import skydome.skies.formula
 
-    monkeypatch.delattr(skydome.skies, "perez_kernel", raising=False)
+    monkeypatch.delattr(skydome.skies.formula, "kernel", raising=False)
 
 
 def test_precision_follows_the_directions_or_out(path):
