@@ -14,6 +14,7 @@ from PIL import Image
 
 import skydome as sd
 from skydome import deg
+from skydome.air.atmosphere import PREETHAM_HAZE
 from skydome.eye.view import Camera
 from skydome.land.elevation import read_elevation
 from skydome.land.picture import render_terrain
@@ -63,7 +64,7 @@ def together(pictures, name, columns, exposures=None):
 
 def physical(turbidity, time):
     """The sky, the sun and the air of one atmosphere at the park."""
-    sun, atmosphere = sd.sun_direction(PARK, time), sd.Atmosphere.from_turbidity(turbidity, albedo=0.12)
+    sun, atmosphere = sd.sun_direction(PARK, time), sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE, albedo=0.12, ozone=350.0)
     whole = sd.DiscreteOrdinates(sun, atmosphere) + sd.AtmosphereSun(sun, atmosphere)
     return whole, sd.AirLight(whole, ground_albedo=0.12)
 
@@ -160,7 +161,7 @@ def limit(*_):
     for turbidity in (2.0, 3.0, 4.0, 6.0):
         for height in (5, 10, 20, 45, 70):
             sun = sd.direction(180 * deg, height * deg)
-            atmosphere = sd.Atmosphere.from_turbidity(turbidity, albedo=0.1)
+            atmosphere = sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE, albedo=0.1, ozone=350.0)
             physical = sd.DiscreteOrdinates(sun, atmosphere), sd.AtmosphereSun(sun, atmosphere)
             published = sd.Preetham(sun, turbidity), sd.PreethamSun(sun, turbidity)
             cells = [f"T {turbidity:g}, sun {height:2d}"]

@@ -134,3 +134,29 @@ def test_bad_requests():
 def test_night_is_black():
     sky = sd.HosekWilkie(sd.direction(2.0, -0.2), 3.0)
     assert (sd.render(sky + sd.SunDisc.of(sky), 32).pixels == 0).all()
+
+
+@pytest.mark.parametrize("albedo", [0.0, 0.8])
+def test_the_ground_under_a_physical_sky_is_its_atmospheres(albedo):
+    """Bare as held, alone as in a sum or multiplied: albedo x global illuminance / pi."""
+    sun, air = sd.direction(azimuth=0.0, elevation=40 * deg), sd.Atmosphere.from_turbidity(3.0, albedo=albedo)
+    sky = sd.Nishita93(sun, air)
+    for one, factor in ((sky, 1.0), (sd.held(sky), 1.0), (2.0 * sky, 2.0), (sky + sd.Nishita93(sun, air), 2.0)):
+        ground = sd.render(one, height=32).pixels[-1, 0].astype(float)
+        light = ground @ sd.SRGB.to_xyz[1]
+        assert light == pytest.approx(albedo * factor * float(sd.illuminance(sky)) / np.pi, rel=0.003)
+
+
+@pytest.mark.parametrize("kind", ["DiscreteOrdinates", "PathTraced"])
+def test_the_ground_under_other_physical_skies(kind):
+    pytest.importorskip({"DiscreteOrdinates": "nanodisort", "PathTraced": "numba"}[kind])
+    sun, air = sd.direction(azimuth=0.0, elevation=40 * deg), sd.Atmosphere.from_turbidity(3.0, albedo=0.8)
+    others = {"relative_error": 0.3} if kind == "PathTraced" else {}
+    assert getattr(sd, kind)(sun, air, **others).albedo == 0.8
+
+
+def test_the_ground_under_a_blend_is_the_clear_skys():
+    clear, overcast = sd.HosekWilkie(SUN, 3.0, albedo=0.7), sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0))
+    whole = sd.Blend(clear, overcast, 0.4)
+    dark, own = (sd.render(whole, height=32, ground_albedo=a).pixels[-1, 0] for a in (0.35, None))
+    assert own == pytest.approx(2 * dark, rel=1e-5)

@@ -187,3 +187,16 @@ def test_bad_requests(call, kind, message):
 
 def test_numbers_have_a_point():
     assert [number(x) for x in (1, -2.5, 1e-12, 3e20)] == ["1.0", "(-2.5)", "1.0e-12", "3.0e+20"]
+
+
+def test_tables_of_ones_own(tmp_path):
+    """Seven bands are seven channels, whose colours the sky knows: not X, Y and Z."""
+    bands = np.linspace(400.0, 700.0, 7)
+    letters = [0.02, -1.1, -0.3, 0.5, 2.0, -3.0, 0.2, 0.05, 0.6, 0.3]
+    control = np.broadcast_to(letters, (1, 1, 6, 7, 10)) * np.linspace(1, 1.3, 7)[:, None]
+    tables = sd.SkyTables([3.0], [0.2], bands, control, np.zeros((1, 1, 7)))
+    sky = sd.HosekWilkie(SUN, 3.0, 0.2, tables=tables)
+    assert sky.rgb(sd.ZENITH).min() > 100
+    agree(evaluated(compiled(sd.shader(sky, "c"), tmp_path)), sky)
+    twice = compiled(sd.shader(2.0 * sky, "c"), tmp_path, "twice")
+    agree(evaluated(twice) / 2, sky)

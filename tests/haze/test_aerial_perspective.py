@@ -5,6 +5,7 @@ import pytest
 
 import skydome as sd
 from skydome import deg
+from skydome.air.atmosphere import PREETHAM_HAZE
 from skydome.air.scattering import gas_total, haze_total
 from skydome.haze import aerial_perspective as module
 from skydome.haze.aerial_perspective import AirLight, aerial_perspective
@@ -139,7 +140,7 @@ def test_far_rays_take_the_light_of_the_horizon_of_a_physical_sky(turbidity, ele
     """Energy: sky, sun and ground of one atmosphere give its own horizon, in luminance and in colour, all around."""
     pytest.importorskip("nanodisort")
     sun = sd.direction(azimuth=180 * deg, elevation=elevation * deg)
-    atmosphere = sd.Atmosphere.from_turbidity(turbidity, albedo=0.1)
+    atmosphere = sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE, albedo=0.1)
     sky = sd.DiscreteOrdinates(sun, atmosphere)
     air = AirLight(sky + sd.AtmosphereSun(sun, atmosphere), ground_albedo=0.1)
     far, horizon = air.at(1e6, HORIZON * [1, 1, 0]).inscattered, sky.rgb(HORIZON)
@@ -169,7 +170,7 @@ def test_published_sky_is_brighter_than_its_own_air_allows(elevation, least, mos
         far = aerial_perspective(sky + sd.PreethamSun(sun, turbidity), 1e6, HORIZON * [1, 1, 0]).inscattered
         published = sky.xyz(HORIZON)[:, 1].mean()
         assert least < xyz_from_rgb(far)[:, 1].mean() / published < most
-        physical = sd.DiscreteOrdinates(sun, sd.Atmosphere.from_turbidity(turbidity))
+        physical = sd.DiscreteOrdinates(sun, sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE))
         assert published > factor * physical.xyz(HORIZON)[:, 1].mean()
 
 
@@ -377,7 +378,7 @@ def sky_of_figure_8(name):
     if name == "Preetham":
         return sd.Preetham(SUNSET, 6.0) + sd.PreethamSun(SUNSET, 6.0)
     pytest.importorskip("nanodisort")
-    atmosphere = sd.Atmosphere.from_turbidity(6.0, albedo=0.12)
+    atmosphere = sd.Atmosphere.from_turbidity(6.0, PREETHAM_HAZE, albedo=0.12)
     return sd.DiscreteOrdinates(SUNSET, atmosphere) + sd.AtmosphereSun(SUNSET, atmosphere)
 
 

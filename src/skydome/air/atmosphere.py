@@ -1,6 +1,6 @@
 """An atmosphere: constituents in spherical shells over a ground, lit by a sun."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,10 @@ from skydome.air.profiles import Exponential
 from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
+from skydome.ground.units import EARTH_RADIUS
 from skydome.light.spectrum import Spectrum
 
-__all__ = ["DARK_GREEN", "Atmosphere"]
+__all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "Atmosphere"]
 
 
 def grass() -> Spectrum:
@@ -26,6 +27,12 @@ def grass() -> Spectrum:
 
 DARK_GREEN = Spectrum([499.0, 500.0], [0.04, 0.08])
 """A plain picture of vegetated ground: 0.04 below 500 nm, 0.08 above."""
+
+CONTINENTAL = Aerosol()
+"""The usual aerosol: one Henyey-Greenstein lobe of g 0.76, of which 0.92 is scattered, scale height 1.5 km."""
+
+PREETHAM_HAZE = Aerosol(albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
+"""The haze of Preetham's A.1: it scatters all, by Bullrich's table, with a scale height of 1.2 km."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +49,7 @@ class Atmosphere:
 
     constituents: tuple[Constituent, ...] = field(default_factory=lambda: (Molecules(), Aerosol(), Ozone()))
     albedo: Any = 0.1
-    radius: float = 6_371_000.0
+    radius: float = EARTH_RADIUS
     height: float = 100_000.0
     sunlight: Spectrum | None = None
     sun_scale: float = 1.0
@@ -76,21 +83,23 @@ class Atmosphere:
         return cls((Molecules(pressure), aerosol, Ozone(ozone)), albedo, sun_scale=sun_scale)
 
     @classmethod
-    def from_turbidity(cls, turbidity: float, albedo: Any = 0.1, ozone: float = 350.0) -> "Atmosphere":
-        """Air of a turbidity as Preetham (section 2.2) and Hosek and Wilkie mean it, 1 is clean air.
+    def from_turbidity(
+        cls, turbidity: float, aerosol: Aerosol = CONTINENTAL, *, albedo: Any = 0.1, ozone: float = 330.0
+    ) -> "Atmosphere":
+        """Air with so much of an aerosol as the turbidity says, 1 is clean air; ValueError outside [1, 64].
 
-        Turbidity is the vertical optical depth of molecules and haze over that of molecules at 550 nm. The haze has
-        Preetham's scale height of 1.2 km, Angstrom exponent 1.3 (A.1); it scatters all, by Bullrich's table.
+        Turbidity is the vertical optical depth of molecules and aerosol over that of molecules at 550 nm (Preetham
+        1999, section 2.2); the one place where it becomes air. `aerosol` tells all but the depth: `CONTINENTAL`, or
+        `PREETHAM_HAZE`, which aerial perspective has too. `ozone` in Dobson units.
 
         >>> air = Atmosphere.from_turbidity(3.0, ozone=0.0)
         >>> bool(np.isclose(air.depth([550.0])[0] / rayleigh_depth([550.0])[0], 3.0))
         True
         """
         if not 1 <= turbidity <= 64:
-            raise ValueError(f"turbidity must lie in [1, 64], got {turbidity}")
+            raise ValueError(f"turbidity must lie in [1, 64], got {turbidity:g}")
         depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
-        haze = Aerosol(depth, albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
-        return cls((Molecules(), haze, Ozone(ozone)), albedo)
+        return cls((Molecules(), replace(aerosol, optical_depth=depth), Ozone(ozone)), albedo)
 
     @classmethod
     def bruneton2016(cls) -> "Atmosphere":

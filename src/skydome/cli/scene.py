@@ -64,7 +64,7 @@ def moment_for(model: Model, options: SkyOptions) -> Moment | None:
 def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
     """A sky that has colour: its own, or the chromaticity given or D65's."""
     import skydome as sd
-    from skydome.skies.daylight_sky import D65
+    from skydome.light.colour import D65
 
     if isinstance(sky, sd.ColourSky):
         if options.chromaticity is not None and options.blend_overcast is None:

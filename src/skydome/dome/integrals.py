@@ -28,10 +28,7 @@ def discs_and_rest(sky: Sky) -> tuple[list[tuple[SunDisc, Any]], list[Sky]]:
     discs: list[tuple[SunDisc, Any]] = []
     rest: list[Sky] = []
     for part in sky.parts:
-        inner: Any = part
-        factor: Any = 1.0
-        while hasattr(inner, "members") and len(inner.members) == 1:
-            factor, inner = factor * inner.weights[0], inner.members[0]
+        inner, factor = part.single
         if isinstance(inner, SunDisc):
             discs.append((inner, factor))
         else:

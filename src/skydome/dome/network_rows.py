@@ -13,7 +13,6 @@ from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
-from skydome.skies.combination import Combination
 from skydome.skies.formula.fast import shared
 from skydome.skies.neural.fast import (
     LEAST_DIRECTIONS,
@@ -40,12 +39,10 @@ class NetworkLight(NamedTuple):
 
 def rgb_network(sky: Sky, space: RGBSpace) -> NetworkLight | None:
     """The network of one neural sky by day, also of one multiplied; None for others."""
-    factor: Any = 1.0
-    while isinstance(sky, Combination) and len(sky.members) == 1:
-        factor, sky = factor * sky.weights[0], sky.members[0]
-    if not isinstance(sky, NeuralForm) or not sky.is_one_numpy_sky:
+    inner, factor = sky.single
+    if not isinstance(inner, NeuralForm) or not inner.is_one_numpy_sky:
         return None
-    return NetworkLight(sky.folded(), float(as_numpy(factor)) * sky.rgb_matrix(space))
+    return NetworkLight(inner.folded(), float(as_numpy(factor)) * inner.rgb_matrix(space))
 
 
 def map_columns(network: Folded, projection: Equirectangular, height: int) -> tuple[np.ndarray, np.ndarray]:

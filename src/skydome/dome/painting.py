@@ -9,12 +9,9 @@ from skydome.dome.integrals import colourless
 from skydome.dome.network_rows import NetworkLight, network_kernel, paint_network, rgb_network
 from skydome.dome.sky_rows import paint
 from skydome.ground.arrays import as_numpy
-from skydome.light.colour import RGBSpace, rgb_from_xyz, xyz_from_xyY
+from skydome.light.colour import RGBSpace
 from skydome.maps.projections import Equirectangular, Projection
-from skydome.skies.combination import Combination
-from skydome.skies.daylight_sky import Daylight
 from skydome.skies.formula.fast import Light, chosen, many_skies
-from skydome.skies.formula.formula_sky import ColourFormulaSky, FormulaSky
 from skydome.skies.neural.fast import light_by_kernel, light_by_numpy
 from skydome.skies.sky import ColourSky, Sky
 
@@ -27,18 +24,9 @@ Source = tuple[Sky, Light | NetworkLight | None, Any]
 
 def rgb_light(sky: Sky, space: RGBSpace) -> Light | None:
     """The numbers of one nine-number sky's RGB, also of one multiplied or given a colour; None for other skies."""
-    factor: Any = 1.0
-    while isinstance(sky, Combination) and len(sky.members) == 1:
-        factor, sky = factor * sky.weights[0], sky.members[0]
-    if isinstance(sky, ColourFormulaSky):
-        light = sky.numbers(sky.rgb_recipe(space))
-    elif isinstance(sky, Daylight) and isinstance(sky.sky, FormulaSky):
-        coefficients, quantity = sky.sky.luminance_recipe()
-        white = rgb_from_xyz(xyz_from_xyY([*sky.chromaticity, 1.0]), space)
-        light = sky.sky.numbers((coefficients, quantity.then(white[:, None])))
-    else:
-        return None
-    return light._replace(quantity=light.quantity.then(float(factor) * np.eye(light.size)))
+    inner, factor = sky.single
+    light = inner.rgb_formula(space) if isinstance(inner, ColourSky) else None
+    return None if light is None else light._replace(quantity=light.quantity.then(float(factor) * np.eye(light.size)))
 
 
 def paint_rows(

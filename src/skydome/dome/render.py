@@ -16,6 +16,8 @@ from skydome.skies.hosek_wilkie import channel_albedo
 from skydome.skies.sky import ColourSky, Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
+USUAL_ALBEDO = 0.2
+"""The ground's where neither caller nor sky tells it: dry land in the mean."""
 POINTS_PER_TEXEL = 4096
 LEAST_POINTS, MOST_POINTS = 4096, 1 << 18
 
@@ -70,14 +72,10 @@ def require_one_condition(sky: Sky) -> None:
         raise ValueError(f"a map shows one sky at a time: parameters must be single numbers, got shape {shape}")
 
 
-def own_albedo(sky: Sky) -> Any:
-    """The albedo that a sky (or the first part of a sum that has one) was given, else 0.2."""
-    return next((part.albedo for part in sky.parts if hasattr(part, "albedo")), 0.2)
-
-
 def ground_rgb(sky: ColourSky, albedo: Any, space: RGBSpace) -> np.ndarray:
     """RGB of a Lambertian ground under the sky, (3,): albedo x global illuminance / pi, channel by channel."""
-    albedo = own_albedo(sky) if albedo is None else albedo
+    albedo = sky.albedo if albedo is None else albedo
+    albedo = USUAL_ALBEDO if albedo is None else albedo
     if not isinstance(albedo, Spectrum) and np.ndim(albedo) != 0:
         raise ValueError(f"ground_albedo must be a number or a Spectrum, got shape {np.shape(albedo)}")
     reflectance = channel_albedo(albedo, "xyz", np.zeros(3))

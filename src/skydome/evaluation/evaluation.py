@@ -17,9 +17,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_from_radiance
-from skydome.skies.path_tracing.sky import PathTraced
-from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
-from skydome.skies.physical.nishita import Nishita93
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.sky import SpectralSky
 
 NEAR_SUN = 20 * deg
@@ -108,13 +106,13 @@ def compared(name: str, sky: MeasuredSky, sky_of: SkyOf) -> Comparison:
 
 def band_mean(model: SpectralSky, directions: np.ndarray) -> Array:
     """A model's radiance averaged over 400-700 nm, W m-2 sr-1 nm-1, (D,)."""
-    if isinstance(model, DiscreteOrdinates | Nishita93 | PathTraced):
+    if isinstance(model, AtmosphereSky):
         return band_mean_by_transfer(model, directions)
     wavelengths = np.arange(BAND[0], BAND[1] + 1, 10.0)
     return np.trapezoid(np.asarray(model.radiance(directions, wavelengths)), wavelengths, axis=-1) / (BAND[1] - BAND[0])
 
 
-def band_mean_by_transfer(model: DiscreteOrdinates | Nishita93 | PathTraced, directions: np.ndarray) -> Array:
+def band_mean_by_transfer(model: AtmosphereSky, directions: np.ndarray) -> Array:
     """The same from five wavelengths: what the air does is smooth, the sun's spectrum is not and is known."""
     wavelengths, weights = transfer_rule()
     transfer = model.radiance(directions, wavelengths) / model.atmosphere.sun_at(wavelengths)

@@ -3,14 +3,10 @@
 import numpy as np
 
 from skydome.export.shader_languages import Language, number
-from skydome.ground.arrays import as_numpy
-from skydome.ground.units import LUMINOUS_EFFICACY
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
+from skydome.light.colour import RGBSpace
 from skydome.skies.daylight_sky import Daylight
-from skydome.skies.formula.formula_sky import FormulaSky
-from skydome.skies.hosek_wilkie import HosekWilkie, HosekWilkieRGB
-from skydome.skies.preetham import Preetham
-from skydome.skies.sky import Sky
+from skydome.skies.formula.fast import Light
+from skydome.skies.sky import ColourSky, Sky
 
 LETTERS = ["level", "a", "b", "c", "d", "e", "f", "g", "h", "i"]
 Lines = list[tuple[str, str]]
@@ -87,33 +83,28 @@ def weighted(row: np.ndarray, names: list[str]) -> str:
     return " + ".join(terms) or "0.0"
 
 
-def rgb_lines(sky: Sky, scale: float, space: RGBSpace) -> tuple[np.ndarray, Lines]:
-    """Coefficients (channels, 10) of a sky, and the constants red, green and blue from its channels."""
-    names = ["channel0", "channel1", "channel2"]
-    if isinstance(sky, Preetham):
-        ratio = [("per_y", "channel2 / max(channel1, 1.0e-6)"), ("big_x", "channel0 * per_y")]
-        ratio += [("big_z", "(1.0 - channel0 - channel1) * per_y")]
-        matrix, names = scale * space.from_xyz, ["big_x", "channel2", "big_z"]
-        return as_numpy(sky.coefficients()), ratio + mixed(matrix, names)
-    if isinstance(sky, HosekWilkie):
-        return as_numpy(sky.coefficients()), mixed(scale * LUMINOUS_EFFICACY * space.from_xyz, names)
-    if isinstance(sky, HosekWilkieRGB):
-        matrix = np.eye(3) if space is SRGB else rgb_from_xyz(xyz_from_rgb(np.eye(3)), space).T
-        return as_numpy(sky.coefficients()), mixed(scale * LUMINOUS_EFFICACY * matrix, names)
-    chromatic = sky if isinstance(sky, Daylight) else None
-    inner = sky.sky if isinstance(sky, Daylight) else sky
-    if not isinstance(inner, FormulaSky) or inner.coefficients().shape[-2] != 1:
-        raise TypeError(
-            f"{type(inner).__name__} is not a sky of the nine-number formula; shaders know those and networks"
-        )
-    white = np.ones(3) if chromatic is None else rgb_from_xyz(white_xyz(chromatic), space)
-    return as_numpy(inner.coefficients()), mixed(scale * white[:, None], ["channel0"])
+def formula_of(sky: Sky, space: RGBSpace) -> Light:
+    """The nine numbers of one sky's RGB, or of its luminance, which is then grey; TypeError for skies of no formula."""
+    inner, factor = sky.single
+    light = inner.rgb_formula(space) if isinstance(inner, ColourSky) else inner.luminance_formula()
+    if light is None:
+        name = type(inner.sky if isinstance(inner, Daylight) else inner).__name__
+        raise TypeError(f"{name} is not a sky of the nine-number formula; shaders know those and networks")
+    if len(light.coefficients) != 1:
+        raise ValueError(f"a shader shows one sky: parameters must be single numbers, got {len(light.coefficients)}")
+    quantity = light.quantity if isinstance(inner, ColourSky) else light.quantity.then(np.ones((3, 1)))
+    return light._replace(quantity=quantity.then(float(factor) * np.eye(3)))
 
 
-def white_xyz(sky: Daylight) -> np.ndarray:
-    """XYZ of luminance 1 at the sky's chromaticity."""
-    x, y = sky.chromaticity
-    return np.array([x / y, 1.0, (1 - x - y) / y])
+def rgb_lines(light: Light, scale: float) -> Lines:
+    """The constants red, green and blue from the channels, which are x, y, Y where the quantity is chromatic."""
+    names = [f"channel{k}" for k in range(light.coefficients.shape[-2])]
+    lines: Lines = []
+    if light.quantity.chromatic:
+        lines = [("per_y", "channel2 / max(channel1, 1.0e-6)"), ("big_x", "channel0 * per_y")]
+        lines += [("big_z", "(1.0 - channel0 - channel1) * per_y")]
+        names = ["big_x", "channel2", "big_z"]
+    return lines + mixed(scale * np.asarray(light.quantity.matrix), names)
 
 
 def mixed(matrix: np.ndarray, names: list[str]) -> Lines:
@@ -124,13 +115,7 @@ def mixed(matrix: np.ndarray, names: list[str]) -> Lines:
 
 def formula_shader(sky: Sky, language: Language, scale: float, space: RGBSpace) -> list[str]:
     """The functions of a formula sky, in order."""
-    inner = sky.sky if isinstance(sky, Daylight) else sky
-    coefficients, lines = rgb_lines(sky, scale, space)
-    if coefficients.ndim != 2:
-        raise ValueError(
-            f"a shader shows one sky: parameters must be single numbers, got shape {coefficients.shape[:-2]}"
-        )
-    sun = as_numpy(getattr(inner, "formula_sun", getattr(inner, "sun", np.array([0.0, 0.0, 1.0]))))
-    body = geometry(language, sun) + channels(coefficients) + lines
-    channel = channel_function(language, getattr(inner, "offset", 0.0), getattr(inner, "floor", 1e-6))
+    light = formula_of(sky, space)
+    body = geometry(language, light.suns[0]) + channels(light.coefficients[0]) + rgb_lines(light, scale)
+    channel = channel_function(language, light.offset, light.floor)
     return [channel, angle_function(language), language.colour_function("skydome_rgb", body, ("red", "green", "blue"))]

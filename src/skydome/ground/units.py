@@ -10,3 +10,9 @@ km = 1000.0
 
 LUMINOUS_EFFICACY = 683.0
 """Lumens per watt at the peak of V(lambda), lm W-1, as the published sky models use it (CIE: 683.002)."""
+
+SOLAR_CONSTANT = 1367.0
+"""Irradiance of the sun outside the air at 1 AU, W m-2, as Perez's tables, gendaylit and gendaymtx use it."""
+
+EARTH_RADIUS = 6_371_000.0
+"""Mean radius of the earth, m (IUGG: 6371.009 km)."""

@@ -57,7 +57,8 @@ class AirLight:
 
     def __post_init__(self) -> None:
         """Validate only."""
-        if np.ndim(getattr(self.parts[1][0], "sun", np.zeros(3)) if self.parts[1] else np.zeros(3)) != 1:
+        lit = self.parts[1][0].sunlit if self.parts[1] else None
+        if lit is not None and not lit.one_sun:
             raise ValueError("aerial perspective needs a sky with one sun, of shape (3,); loop over the others")
         if not 0 <= self.ground_albedo <= 1:
             raise ValueError(f"ground_albedo must lie in [0, 1], got {self.ground_albedo}")
@@ -80,7 +81,7 @@ class AirLight:
     @cached_property
     def haze_turbidity(self) -> Any:
         """The turbidity given, or that of the sky; ValueError where neither is."""
-        own = (getattr(part, "turbidity", None) for part in self.sky.parts)
+        own = (part.sunlit.haze for part in self.sky.parts if part.sunlit is not None)
         value = self.turbidity if self.turbidity is not None else next((t for t in own if t is not None), None)
         if value is None:
             raise ValueError(f"{type(self.sky).__name__} has no turbidity; give turbidity=...")
@@ -100,7 +101,8 @@ class AirLight:
     @cached_property
     def like(self) -> Array:
         """An array of the library in which the sky's light is computed: that of its sun."""
-        return next((floating(part.sun) for part in self.sky.parts if hasattr(part, "sun")), np.zeros(3))
+        suns = (floating(part.sunlit.sun) for part in self.sky.parts if part.sunlit is not None)
+        return next(suns, np.zeros(3))
 
     def coefficients(self, like: Array) -> Coefficients:
         """Total scattering of the channels and at 550 nm."""

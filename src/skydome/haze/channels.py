@@ -8,7 +8,7 @@ import numpy as np
 from skydome.air.scattering import gas_total, haze_total
 from skydome.ground.arrays import Array, constant
 from skydome.haze.light import constant_or_own
-from skydome.light.colour import SRGB
+from skydome.light.colour import D65, SRGB, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.sky import ColourSky, Sky, SpectralSky
@@ -17,7 +17,7 @@ from skydome.skies.suns.sun_disc import SunDisc
 BANDS = np.arange(380.0, 721.0, 10.0)
 """Wavelengths, nm, of which red, green and blue are summed: those that every spectral sky knows."""
 
-D65_XYZ = np.array([0.95045593, 1.0, 1.08905775])
+D65_XYZ = xyz_of_white(D65)
 
 
 @dataclass(frozen=True, eq=False)

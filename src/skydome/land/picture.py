@@ -14,6 +14,7 @@ from skydome.ground import exr, png
 from skydome.ground.directions import direction, unit
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
+from skydome.ground.units import EARTH_RADIUS
 from skydome.haze.aerial_perspective import AirLight
 from skydome.haze.fast import FastTables
 from skydome.haze.ward_larson import WardLarson
@@ -22,7 +23,6 @@ from skydome.light.colour import SRGB, encode_srgb, rgb_from_xyz
 from skydome.maps.files import light_unit
 from skydome.skies.sky import ColourSky, Sky
 
-EARTH_RADIUS = 6_371_000.0
 REFRACTION = 7 / 6
 """By how much refraction flattens the Earth for a ray near the ground."""
 

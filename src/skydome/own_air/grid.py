@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.cross_sections import rayleigh_depth
+from skydome.air.constituents import Aerosol
+from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
@@ -95,8 +96,8 @@ class Grid:
 def simulated(grid: Grid, piece: tuple[int, int]) -> Array:
     """Radiance of one piece for sunlight of irradiance 1, sr-1, float32 (elevations, zenith angles, azimuths, W)."""
     turbidity, albedo = grid.turbidities[piece[0]], grid.albedos[piece[1]]
-    depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
-    air = Atmosphere.standard(depth, grid.asymmetry, ozone=grid.ozone, albedo=albedo, aerosol_albedo=1.0)
+    aerosol = Aerosol(albedo=1.0, phase=HenyeyGreenstein((grid.asymmetry,)))
+    air = Atmosphere.from_turbidity(turbidity, aerosol, albedo=albedo, ozone=grid.ozone)
     zenith, azimuth = np.meshgrid(np.radians(grid.zenith_angles), np.radians(grid.azimuths), indexing="ij")
     views = direction(azimuth, np.pi / 2 - zenith)
     suns = direction(np.zeros(len(grid.elevations)), np.radians(grid.elevations))

@@ -11,7 +11,7 @@ from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.level import levelled, require_one_level
 from skydome.skies.formula.perez_formula import from_perez, view_geometry
-from skydome.skies.sky import Sky
+from skydome.skies.sky import SunlitSky
 
 
 @settled
@@ -88,7 +88,7 @@ class CIEClear(LuminanceFormulaSky):
 
 
 @dataclass(frozen=True, eq=False)
-class CIEIntermediate(Sky):
+class CIEIntermediate(SunlitSky):
     """The CIE intermediate sky: haze and thin cloud with the sun still bright.
 
     Nakamura, Oki and Hayashi 1985, CIE 110-1994; with elevations v of the view and s of the sun
@@ -102,7 +102,6 @@ class CIEIntermediate(Sky):
     3000
     """
 
-    sun: Array
     zenith_luminance: Any
     source: ClassVar[str] = "Nakamura, Oki and Hayashi 1985; CIE 110-1994"
 

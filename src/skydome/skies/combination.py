@@ -35,15 +35,33 @@ class Combination(Sky):
         return reduce(lambda a, b: a & b, [sky.valid for sky in self.members])
 
     @property
+    def single(self) -> tuple[Sky, Any]:
+        """The one member and what multiplies its light; the sum itself and 1 where it has more."""
+        if len(self.members) > 1:
+            return self, 1.0
+        inner, factor = self.members[0].single
+        return inner, self.weights[0] * factor
+
+    @property
+    def albedo(self) -> Any:
+        """That of the first member that has one."""
+        return next((sky.albedo for sky in self.members if sky.albedo is not None), None)
+
+    @property
+    def has_night(self) -> bool:
+        """Whether some member goes dark with a sun."""
+        return any(sky.has_night for sky in self.members)
+
+    @property
     def is_day(self) -> Array:
         """True where every member has its sun up."""
-        days = [sky.is_day for sky in self.members if hasattr(sky, "sun")] or [np.asarray(True)]
+        days = [sky.is_day for sky in self.members if sky.has_night] or [np.asarray(True)]
         return reduce(lambda a, b: a & b, days)
 
     @property
     def follows_one_sun(self) -> bool:
         """True where night falls on every member by itself, or no member has a sun."""
-        return len({hasattr(part, "sun") for part in self.members}) == 1
+        return len({sky.has_night for sky in self.members}) == 1
 
     def total(self, method: str, axes: int, *arguments: Any) -> Array:
         """Sum over the members of weight x light, the light having `axes` trailing axes that weights lack."""

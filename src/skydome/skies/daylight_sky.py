@@ -5,13 +5,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, namespace
-from skydome.light.colour import xyz_from_xyY
+from skydome.ground.arrays import Array, constant
+from skydome.light.colour import D65, SRGB, Chromaticity, RGBSpace, rgb_from_xyz, xyz_from_xyY
 from skydome.light.daylight import daylight_spectrum
-from skydome.skies.sky import Sky, SpectralSky
-
-D65 = (0.3127, 0.3290)
-"""Chromaticity x, y of the standard daylight illuminant D65: sRGB's white, so that a map is neutral grey."""
+from skydome.skies.formula.fast import Light
+from skydome.skies.sky import Sky, SpectralSky, SunlitSky
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +23,7 @@ class Daylight(SpectralSky):
     """
 
     sky: Sky
-    chromaticity: tuple[float, float] = D65
+    chromaticity: Chromaticity = D65
     source: ClassVar[str] = "CIE daylight series (Preetham 1999, A.5)"
 
     def __post_init__(self) -> None:
@@ -45,11 +43,30 @@ class Daylight(SpectralSky):
         """True where the sky is valid."""
         return self.sky.valid
 
-    def __getattr__(self, name: str) -> Any:
-        """The inner sky's sun, turbidity and direct light, so that `SunDisc.of` finds them."""
-        if name in ("sun", "turbidity", "direct_normal_illuminance"):
-            return getattr(self.__dict__["sky"], name)
-        raise AttributeError(name)
+    @property
+    def sunlit(self) -> SunlitSky | None:
+        """The sky's own, so that `SunDisc.of` finds the sun."""
+        return self.sky.sunlit
+
+    @property
+    def has_night(self) -> bool:
+        """Whether the sky goes dark with a sun."""
+        return self.sky.has_night
+
+    @property
+    def albedo(self) -> Any:
+        """That of the sky's ground."""
+        return self.sky.albedo
+
+    def luminance_formula(self) -> Light | None:
+        """The sky's own."""
+        return self.sky.luminance_formula()
+
+    def rgb_formula(self, space: RGBSpace = SRGB) -> Light | None:
+        """The sky's luminance in its one chromaticity."""
+        light = self.sky.luminance_formula()
+        white = rgb_from_xyz(xyz_from_xyY([*self.chromaticity, 1.0]), space)
+        return None if light is None else light._replace(quantity=light.quantity.then(white[:, None]))
 
     def luminance(self, directions: Array) -> Array:
         """The sky's own luminance, cd m-2, shape (...,)."""
@@ -58,7 +75,6 @@ class Daylight(SpectralSky):
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3)."""
         luminance = self.luminance(directions)
-        namespace(luminance)
         white = xyz_from_xyY(np.array([*self.chromaticity, 1.0]))
         return luminance[..., None] * constant(white, luminance)
 

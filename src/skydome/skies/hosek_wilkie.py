@@ -6,7 +6,9 @@ chi(g, alpha), I alpha^(1/2) as scanned | chi(H, g), I cos^(1/2) t | scanning da
 spectral form ends at 720 nm | `xyz` is the authors' XYZ fit, `radiance` their bands | both are native
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from os import PathLike
 from typing import Any, ClassVar
 
@@ -21,7 +23,7 @@ from skydome.light.spectrum import Spectrum, cie_1931, xyz_weights
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.quantity import Quantity
 from skydome.skies.formula.sky_tables import SkyTables, blended, control_weights
-from skydome.skies.sky import SpectralSky
+from skydome.skies.sky import SpectralSky, plain
 from skydome.skies.validity import Range, require
 
 BANDS = np.arange(320.0, 721.0, 40.0)
@@ -94,6 +96,11 @@ class HosekWilkieForm(ColourFormulaSky):
     offset: ClassVar[float] = 0.01
     source: ClassVar[str] = "Hosek and Wilkie 2012, eq. 8; tables of 2013, version 1.4a"
 
+    @property
+    def haze(self) -> Any:
+        """The turbidity."""
+        return self.turbidity
+
     def form_coefficients(self, form: str) -> Array:
         """R A ... I of the channels of a form, shape (..., channels, 10)."""
         turbidity = self.parameter("turbidity")
@@ -121,49 +128,61 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
     """
 
     tables: "SkyTables | str | PathLike[str] | None" = None
-    bands: ClassVar[np.ndarray] = BANDS
 
     def __post_init__(self) -> None:
-        """Validate, by the ranges of the tables where some are given."""
-        if self.tables is not None:
-            tables = self.tables if isinstance(self.tables, SkyTables) else SkyTables.load(self.tables)
-            spans = {"turbidity": tables.turbidities, "albedo": tables.albedos}
-            ranges = {name: Range(float(nodes[0]), float(nodes[-1])) for name, nodes in spans.items()}
-            for name, value in (("tables", tables), ("ranges", ranges), ("bands", tables.wavelengths)):
-                object.__setattr__(self, name, value)
+        """Validate, the file of tables too."""
+        _ = self.own
         super().__post_init__()
+
+    @cached_property
+    def own(self) -> SkyTables | None:
+        """The tables of one's own, read from their file; None for the authors'."""
+        given = self.tables
+        return given if given is None or isinstance(given, SkyTables) else SkyTables.load(given)
+
+    @property
+    def limits(self) -> Mapping[str, Range]:
+        """The ranges of the tables."""
+        if self.own is None:
+            return self.ranges
+        spans = {"turbidity": self.own.turbidities, "albedo": self.own.albedos}
+        return {name: Range(float(nodes[0]), float(nodes[-1])) for name, nodes in spans.items()}
+
+    @property
+    def bands(self) -> np.ndarray:  # type: ignore[override]
+        """Wavelengths of the bands, nm."""
+        return BANDS if self.own is None else self.own.wavelengths
 
     @property
     def valid(self) -> Array:
         """True where turbidity, albedo and sun lie where they were fitted."""
-        lowest = self.tables.lowest - 1e-9 if isinstance(self.tables, SkyTables) else -np.pi
+        lowest = -np.pi if self.own is None else self.own.lowest - 1e-9
         return super().valid & (elevation(self.sun) >= lowest)
 
-    @property
-    def by_tables(self) -> bool:
-        """Whether the sky is that of tables of one's own."""
-        return isinstance(self.tables, SkyTables)
+    def parameters(self) -> dict[str, Any]:
+        """Parameters for provenance, the tables as they were read."""
+        return super().parameters() | {"tables": plain(self.own)}
 
     def band_coefficients(self) -> Array:
         """R A ... I of each band, shape (..., W, 10)."""
-        if not isinstance(self.tables, SkyTables):
+        if self.own is None:
             return self.form_coefficients("spectral")
         turbidity = self.parameter("turbidity")
         albedo = channel_albedo(self.albedo, "spectral", turbidity, self.bands)
-        return self.tables.coefficients(turbidity, albedo, elevation(self.sun))
+        return self.own.coefficients(turbidity, albedo, elevation(self.sun))
 
     def coefficients(self) -> Array:
         """R A ... I of X, Y, Z, shape (..., 3, 10); of the bands where the sky is by tables of one's own."""
-        return self.band_coefficients() if self.by_tables else self.form_coefficients("xyz")
+        return self.form_coefficients("xyz") if self.own is None else self.band_coefficients()
 
     def xyz_recipe(self) -> Recipe:
         """The XYZ fit times 683 lm W-1; by tables of one's own the integral of the bands."""
-        matrix = xyz_weights(self.bands).T if self.by_tables else LUMINOUS_EFFICACY * np.eye(3)
+        matrix = LUMINOUS_EFFICACY * np.eye(3) if self.own is None else xyz_weights(self.bands).T
         return self.coefficients(), Quantity(matrix)
 
     def luminance_recipe(self) -> Recipe:
         """The Y of the XYZ."""
-        if self.by_tables:
+        if self.own is not None:
             return self.coefficients(), Quantity(xyz_weights(self.bands).T[1:2])
         return self.coefficients()[..., 1:2, :], Quantity(LUMINOUS_EFFICACY * np.eye(1))
 

@@ -16,13 +16,11 @@ from skydome.air.optical_mass import kasten_1966
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
+from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.level import levelled
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, from_perez
 from skydome.skies.validity import Range
-
-SOLAR_CONSTANT = 1367.0
-"""Irradiance of the sun outside the air at 1 AU, W m-2, as Perez's tables and gendaylit use it."""
 
 Compat = Literal["paper", "gendaylit"]
 

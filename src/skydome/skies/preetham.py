@@ -124,6 +124,11 @@ class Preetham(ColourFormulaSky, SpectralSky):
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2"
 
     @property
+    def haze(self) -> Any:
+        """The turbidity."""
+        return self.turbidity
+
+    @property
     def used(self) -> PreethamNumbers:
         """The model's numbers: those published."""
         return PUBLISHED
@@ -183,10 +188,10 @@ class RefittedPreetham(Preetham):
     table: PreethamNumbers = PUBLISHED
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2, fitted anew"
 
-    def __post_init__(self) -> None:
-        """Validate, by the turbidities that were fitted."""
-        object.__setattr__(self, "ranges", {"turbidity": Range(self.table.turbidity[0], self.table.turbidity[1])})
-        super().__post_init__()
+    @property
+    def limits(self) -> dict[str, Range]:
+        """The turbidities that were fitted."""
+        return {"turbidity": Range(self.table.turbidity[0], self.table.turbidity[1])}
 
     @property
     def used(self) -> PreethamNumbers:

@@ -1,9 +1,14 @@
-"""The ladder of skies: luminance, then colour, then spectrum; each rung gives the ones below it for free."""
+"""The ladder of skies: luminance, then colour, then spectrum; each rung gives the ones below it for free.
+
+What a sky can do beside, it declares: `SunlitSky` has a sun, `knows_twilight`, `albedo` of its ground, the `single` sky
+that is behind a multiplied one, and the nine numbers of its luminance or RGB (`luminance_formula`, `rgb_formula`).
+"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import reduce
+from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,6 +17,7 @@ from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, xyz_weights
+from skydome.skies.formula.fast import Light
 from skydome.skies.validity import Check, Range, inside, require, require_check
 
 
@@ -25,16 +31,16 @@ class Sky(ABC):
 
     ranges: ClassVar[Mapping[str, Range]] = {}
     source: ClassVar[str] = ""
+    knows_twilight: ClassVar[bool] = False
+    """Whether the sky still has light when the sun has set."""
     check: Check = field(default="raise", kw_only=True)
 
     def __post_init__(self) -> None:
         """Validate only; nothing is changed."""
         require_check(self.check)
         namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
-        if hasattr(self, "sun"):
-            checked_directions(self.sun, "sun")
         if self.check == "raise":
-            for name, interval in self.ranges.items():
+            for name, interval in self.limits.items():
                 require(name, getattr(self, name), interval)
 
     @abstractmethod
@@ -42,29 +48,56 @@ class Sky(ABC):
         """Luminance toward each direction (..., 3), cd m-2, shape (...,); 0 below the horizon."""
 
     @property
+    def limits(self) -> Mapping[str, Range]:
+        """The ranges that hold for this sky: its class's, or those of the tables that it was given."""
+        return self.ranges
+
+    @property
+    def sunlit(self) -> "SunlitSky | None":
+        """The sky that tells where the sun stands: this one, or the one that it dresses; None without a sun."""
+        return None
+
+    @property
+    def has_night(self) -> bool:
+        """Whether the sky goes dark with a sun: those with a sun do, and sums with such a member."""
+        return self.sunlit is not None
+
+    @property
+    def albedo(self) -> Any:
+        """Albedo of the ground under the sky, where the sky was made for one; None for others."""
+        return None
+
+    @property
+    def single(self) -> "tuple[Sky, Any]":
+        """The sky and the number that multiplies its light: itself and 1, unless it is one sky made brighter."""
+        return self, 1.0
+
+    @property
     def is_day(self) -> Array:
         """True where the sun stands above the horizon (always, for a sky without a sun), boolean array."""
-        sun = getattr(self, "sun", None)
-        return np.asarray(True) if sun is None else floating(sun)[..., 2] > 0
+        return np.asarray(True)
 
     @property
     def valid(self) -> Array:
         """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
-        like = getattr(self, "sun", None)
-        checks = [
+        return reduce(lambda a, b: a & b, self.checks(None) or [self.is_day])
+
+    def checks(self, like: Any) -> list[Array]:
+        """Where each parameter lies in its range, boolean arrays in the library of `like`."""
+        return [
             inside(floating(getattr(self, name), like=like), interval)
-            for name, interval in self.ranges.items()
+            for name, interval in self.limits.items()
             if not isinstance(getattr(self, name), Spectrum)  # checked at construction
         ]
-        checks += [] if like is None and checks else [self.is_day]
-        return reduce(lambda a, b: a & b, checks)
+
+    def seen(self, directions: Array) -> Array:
+        """True toward directions (..., 3) that have light: above the horizon, by day."""
+        return directions[..., 2] >= 0
 
     def blanked(self, light: Array, directions: Array, channels: int = 1) -> Array:
         """`light` with 0 below the horizon and at night, and NaN outside validity where check is "nan"."""
         xp = namespace(light, directions)
-        seen = directions[..., 2] >= 0
-        if hasattr(self, "sun"):
-            seen = self.is_day & seen
+        seen = self.seen(directions)
         allowed = (self.valid | ~self.is_day) if self.check == "nan" else None
         if channels:
             seen, allowed = seen[..., None], None if allowed is None else allowed[..., None]
@@ -75,6 +108,10 @@ class Sky(ABC):
     def parts(self) -> tuple["Sky", ...]:
         """The skies of which this one is the sum: itself, if it is no sum."""
         return (self,)
+
+    def luminance_formula(self) -> Light | None:
+        """The nine numbers that make the luminance, and its sun, as flat NumPy arrays; None for other skies."""
+        return None
 
     def __add__(self, other: "Sky") -> "Sky":
         """The light of both together, on the highest rung that both know."""
@@ -95,12 +132,62 @@ class Sky(ABC):
         return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}
 
 
+@dataclass(frozen=True, eq=False)
+class SunlitSky(Sky):
+    """A sky with a sun toward `sun`, (..., 3): dark where that has set."""
+
+    sun: Array
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        super().__post_init__()
+        checked_directions(self.sun, "sun")
+
+    @property
+    def sunlit(self) -> "SunlitSky | None":
+        """This sky."""
+        return self
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sun stands above the horizon, boolean array (...,)."""
+        return floating(self.sun)[..., 2] > 0
+
+    @property
+    def one_sun(self) -> bool:
+        """Whether there is one sun, of shape (3,)."""
+        return np.shape(self.sun) == (3,)
+
+    @property
+    def haze(self) -> Any:
+        """Turbidity of the air that the sun shines through, where the sky was made for one; None for others."""
+        return None
+
+    @property
+    def direct_normal_illuminance(self) -> Any:
+        """Illuminance of the sun on a plane that faces it, lx, where the sky knows it; None for others."""
+        return None
+
+    @property
+    def valid(self) -> Array:
+        """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
+        return reduce(lambda a, b: a & b, [*self.checks(self.sun), self.is_day])
+
+    def seen(self, directions: Array) -> Array:
+        """True toward directions (..., 3) that have light: above the horizon, by day."""
+        return self.is_day & super().seen(directions)
+
+
 class ColourSky(Sky):
     """A sky whose colour is known: the second rung."""
 
     @abstractmethod
     def xyz(self, directions: Array) -> Array:
         """CIE 1931 XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3)."""
+
+    def rgb_formula(self, space: RGBSpace = SRGB) -> Light | None:
+        """The nine numbers that make the linear RGB, and its sun, as flat NumPy arrays; None for other skies."""
+        return None
 
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,): the Y of `xyz`."""
@@ -143,6 +230,8 @@ def plain(value: Any) -> Any:
         return [plain(item) for item in value]
     if value is None or isinstance(value, str | int | float | bool):
         return value
+    if isinstance(value, PathLike):
+        return str(value)
     if hasattr(value, "__dataclass_fields__"):
         return {name: plain(getattr(value, name)) for name in value.__dataclass_fields__}
     array = as_numpy(value)

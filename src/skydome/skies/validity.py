@@ -47,9 +47,8 @@ def require(name: str, value: Any, interval: Range) -> None:
         raise ValueError(f"{name} must lie in {interval}, got {first:g}")
 
 
-def applied(name: str, value: Any, interval: Range, check: Check, like: Any = None) -> Array:
+def applied(value: Any, interval: Range, check: Check, like: Any = None) -> Array:
     """`value` as the model may use it: clamped to the interval unless check is "raise" (then it lies in it already)."""
-    del name
     value = floating(value, like=like)
     return value if check == "raise" else limited(value, interval.low, interval.high)
 

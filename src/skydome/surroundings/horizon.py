@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.directions import azimuth, elevation
+from skydome.ground.units import EARTH_RADIUS
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
 
 HILLS = 0
-EARTH_RADIUS = 6_371_000.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
-from skydome.air.atmosphere import Atmosphere
+from skydome.air.atmosphere import PREETHAM_HAZE, Atmosphere
 from skydome.air.constituents import Aerosol, Molecules
 from skydome.air.phase_functions import henyey_greenstein
 from skydome.air.phase_laws import Haze, HenyeyGreenstein, PhaseLaw
@@ -82,7 +82,9 @@ def test_a_table_or_a_formula_is_the_same():
     check(one, other.radiance, other.standard_error)
 
 
-@pytest.mark.parametrize("air", [Atmosphere.from_turbidity(3.0), Atmosphere.mars()], ids=["turbidity", "mars"])
+@pytest.mark.parametrize(
+    "air", [Atmosphere.from_turbidity(3.0, PREETHAM_HAZE), Atmosphere.mars()], ids=["turbidity", "mars"]
+)
 def test_air_by_turbidity_and_of_mars_can_be_traced_by_day_and_in_twilight(air):
     for elevation in (30.0, -4.0):
         sky = PathTraced(sd.direction(np.pi, elevation * sd.deg), air)

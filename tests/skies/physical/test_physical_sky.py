@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 import skydome as sd
-from skydome.air.atmosphere import Atmosphere
+from skydome.air.atmosphere import PREETHAM_HAZE, Atmosphere
 from skydome.cli.main import app
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.physical.held import held
@@ -70,7 +70,9 @@ def test_a_held_sky_in_twilight_and_below_the_horizon():
     assert sky.valid
 
 
-@pytest.mark.parametrize("air", [Atmosphere.from_turbidity(4.0), Atmosphere.mars()], ids=["haze", "mars"])
+@pytest.mark.parametrize(
+    "air", [Atmosphere.from_turbidity(4.0, PREETHAM_HAZE), Atmosphere.mars()], ids=["haze", "mars"]
+)
 @pytest.mark.parametrize("elevation", [6.0, 45.0])
 def test_a_held_sky_whose_phase_functions_change_with_wavelength(air, elevation):
     sky = sd.Nishita93(sun_at(elevation), air)

@@ -5,6 +5,7 @@ import pytest
 
 import skydome as sd
 from skydome import deg
+from skydome.air.atmosphere import PREETHAM_HAZE
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.suns.atmosphere_sun import turbidity_of
 
@@ -40,7 +41,7 @@ def test_the_disc_holds_its_irradiance():
 
 def test_turbidity_is_the_atmospheres():
     for turbidity in (1.0, 2.0, 6.0, 12.0):
-        disc = sd.AtmosphereSun(sun_at(30.0), sd.Atmosphere.from_turbidity(turbidity))
+        disc = sd.AtmosphereSun(sun_at(30.0), sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE))
         assert disc.turbidity == pytest.approx(turbidity, rel=1e-12)
     from skydome.air.constituents import Ozone
 

@@ -50,7 +50,7 @@ def terrain(
     surface, laid = (
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
     )
-    known = any(hasattr(part, "turbidity") for part in scene.whole.parts)
+    known = any(part.sunlit is not None and part.sunlit.haze is not None for part in scene.whole.parts)
     air = None if no_air else AirLight(scene.whole, turbidity=options.turbidity or (None if known else 3.0))
     with rows_done() as progress:
         picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=progress)

@@ -12,20 +12,19 @@ from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, evaluate, view_geometry
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.sky import ColourSky, SunlitSky
 
 Recipe = tuple[Array, Quantity]
 """Coefficients (..., channels, 10) and what is made of the channels."""
 
 
 @dataclass(frozen=True, eq=False)
-class FormulaSky(Sky):
+class FormulaSky(SunlitSky):
     """A sky given by `coefficients`; `sun` is the direction toward the sun, (..., 3), and parameters broadcast with it.
 
     Parameters of shape (T, 1) and directions (D, 3) give light of shape (T, D).
     """
 
-    sun: Array
     offset: ClassVar[float] = 0.0
     floor: ClassVar[float] = COSINE_FLOOR
 
@@ -51,6 +50,10 @@ class FormulaSky(Sky):
     @abstractmethod
     def luminance_recipe(self) -> Recipe:
         """What luminance is made of, cd m-2, one number."""
+
+    def luminance_formula(self) -> Light | None:
+        """The numbers of the luminance."""
+        return self.numbers(self.luminance_recipe())
 
     def luminance(self, directions: Array, out: np.ndarray | None = None) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night. See `light`."""
@@ -126,8 +129,8 @@ class FormulaSky(Sky):
         from skydome.skies.validity import applied
 
         value: Any = getattr(self, name)
-        if name in self.ranges:
-            return applied(name, value, self.ranges[name], self.check, like=self.sun)
+        if name in self.limits:
+            return applied(value, self.limits[name], self.check, like=self.sun)
         return floating(value, like=self.sun)
 
 
@@ -143,6 +146,10 @@ class ColourFormulaSky(FormulaSky, ColourSky):
         """What linear RGB is made of."""
         coefficients, quantity = self.xyz_recipe()
         return coefficients, quantity.then(space.from_xyz)
+
+    def rgb_formula(self, space: RGBSpace = SRGB) -> Light | None:
+        """The numbers of the RGB."""
+        return self.numbers(self.rgb_recipe(space))
 
     def xyz(self, directions: Array, out: np.ndarray | None = None) -> Array:
         """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3). See `light` for float32 and `out`."""

@@ -1,5 +1,7 @@
 """The absolute level of skies that are known only up to a factor: by zenith luminance or by illuminance."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -70,3 +72,25 @@ def overcast_zenith_luminance(sun: Array) -> Array:
     """Zenith luminance of an overcast sky, cd m-2: 1000 (8.6 sin(elevation) + 0.123), the formula of `gensky`."""
     xp = namespace(sun)
     return 1000 * (8.6 * xp.sin(at_least(elevation(sun), 0.0)) + 0.123)
+
+
+def middle_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
+    """Zenith luminance between a clear and an overcast sky's, cd m-2: the mean of both."""
+    return (clear_zenith_luminance(sun, turbidity) + overcast_zenith_luminance(sun)) / 2
+
+
+@dataclass(frozen=True)
+class UsualLevel:
+    """How bright a kind of sky usually is in the zenith, for skies known up to a factor whose level nobody gives.
+
+    `zenith_luminance(sun, turbidity)` in cd m-2; `by_turbidity`: whether turbidity changes it; `whose`: in words.
+    """
+
+    whose: str
+    zenith_luminance: Callable[[Array, Any], Array]
+    by_turbidity: bool = False
+
+
+CLEAR = UsualLevel("a usual clear sky's", clear_zenith_luminance, by_turbidity=True)
+OVERCAST = UsualLevel("a usual overcast sky's", lambda sun, turbidity: overcast_zenith_luminance(sun))
+MIDDLE = UsualLevel("between a usual clear and overcast sky's", middle_zenith_luminance, by_turbidity=True)

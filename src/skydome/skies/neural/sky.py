@@ -14,20 +14,24 @@ from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.neural.files import load_network, shipped_network
 from skydome.skies.neural.folding import Folded, folded
 from skydome.skies.neural.network import Network, conditions, features
-from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.sky import ColourSky, SpectralSky, SunlitSky
 from skydome.skies.validity import Range, require
 
 
 @dataclass(frozen=True, eq=False)
-class NeuralForm(Sky):
+class NeuralForm(SunlitSky):
     """What neural skies share. Turbidity and albedo are ignored by networks that were trained without them."""
 
-    sun: Array
     network: Network
     turbidity: Any = 3.0
     albedo: Any = 0.5
     ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "albedo": Range(0.0, 1.0)}
     source: ClassVar[str] = "Satilmis et al. 2017"
+
+    @property
+    def haze(self) -> Any:
+        """The turbidity."""
+        return self.turbidity
 
     def outputs(self, directions: Array) -> Array:
         """The network's light toward each direction, (..., outputs); 0 below the horizon and at night.

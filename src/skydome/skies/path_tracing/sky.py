@@ -1,22 +1,21 @@
 """The sky by brute force: backward Monte Carlo in spherical shells, all orders, ground, with its standard error."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.atmosphere import Atmosphere
 from skydome.air.rays import ColumnTable
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.nishita import scattered_once
-from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
 GUIDED_BELOW = 3.0
@@ -178,7 +177,7 @@ class TracingJob:
 
 
 @dataclass(frozen=True, eq=False)
-class PathTraced(SpectralSky):
+class PathTraced(AtmosphereSky):
     """The sky of an `atmosphere` by path tracing, to a `relative_error` (the median standard error) of each call.
 
     `orders` stops paths after so many scatterings; `exact_first` takes the first by quadrature. A share `guide` of the
@@ -192,8 +191,6 @@ class PathTraced(SpectralSky):
     True
     """
 
-    sun: Array
-    atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     relative_error: float = 0.01
     seed: int = 0
     orders: int = ALL_ORDERS
@@ -201,6 +198,7 @@ class PathTraced(SpectralSky):
     guide: float | None = None
     roulette: float = 0.2
     paths_per_pass: int = 8
+    knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
 
     def __post_init__(self) -> None:
@@ -208,7 +206,7 @@ class PathTraced(SpectralSky):
         require("relative_error", self.relative_error, Range(1e-6, 0.5))
         require("orders", self.orders, Range(1, ALL_ORDERS))
         require("guide", 0.0 if self.guide is None else self.guide, Range(0, 0.95))
-        if np.shape(self.sun) != (3,):
+        if not self.one_sun:
             raise ValueError(f"a path-traced sky has one sun of shape (3,), got {np.shape(self.sun)}")
 
     @property

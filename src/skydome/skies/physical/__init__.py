@@ -1,5 +1,6 @@
 """Skies from first principles, and what makes them quick.
 
+- atmosphere_sky      What the skies of an `Atmosphere` share: the air, its ground, and how bright its sun is
 - choice              The default physical sky, discrete ordinates for a high sun
 - discrete_ordinates  The physical sky by discrete ordinates, multiple scattering in layers of air
 - layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form

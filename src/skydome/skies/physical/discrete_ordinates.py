@@ -7,7 +7,7 @@ The sun's rays pass through round layers (CDISORT's pseudo-spherical beam), and 
 way to the eye; light that is scattered again sees flat layers.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,8 +16,8 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.layers import Layers, layered
-from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
 VIEWS = 512
@@ -27,7 +27,7 @@ LEAST_COSINE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class DiscreteOrdinates(SpectralSky):
+class DiscreteOrdinates(AtmosphereSky):
     """The sky of an `atmosphere` with all orders of scattering by `streams` discrete ordinates.
 
     Errors: 0.03 % rms, 0.3 % at most at 16 streams (docs/models/discrete-ordinates.md). Against path tracing 0.5-0.9 %
@@ -40,8 +40,6 @@ class DiscreteOrdinates(SpectralSky):
     [0.061, 0.018]
     """
 
-    sun: Array
-    atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     streams: int = 16
     ranges: ClassVar = {"streams": Range(4, 128)}
     source: ClassVar[str] = "Stamnes et al. 1988 (DISORT), C version, by nanodisort; TMS of Nakajima and Tanaka 1988"
@@ -63,10 +61,10 @@ class DiscreteOrdinates(SpectralSky):
             if suns[index][2] > 0:
                 place = across(index, suns.shape[:-1], shape)
                 views = np.broadcast_to(directions, (*shape, 3))[place]
-                light[place] = self.one_sun(suns[index], views, w)
+                light[place] = self.under_one_sun(suns[index], views, w)
         return np.asarray(self.blanked(light, directions)) * self.atmosphere.sun_at(w)
 
-    def one_sun(self, sun: np.ndarray, directions: np.ndarray, wavelengths: np.ndarray) -> Array:
+    def under_one_sun(self, sun: np.ndarray, directions: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Radiance for a sun of irradiance 1, sr-1, shape (..., W)."""
         sky = Solution.of(self.atmosphere, max(float(sun[2]), LEAST_COSINE), wavelengths, self.streams)
         views = directions.reshape(-1, 3)

@@ -15,8 +15,9 @@ from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, direction
 from skydome.light.spectrum import xyz_weights
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.discrete_ordinates import cosine_transform, cubic, geometry, position, view_nodes
-from skydome.skies.sky import ColourSky, SpectralSky
+from skydome.skies.sky import ColourSky, SpectralSky, SunlitSky
 
 TERMS = 24
 CHUNK = 8192
@@ -25,15 +26,14 @@ PIVOTS = np.arange(360.0, 841.0, 60.0)
 
 
 @dataclass(frozen=True, eq=False)
-class HeldSky(ColourSky):
+class HeldSky(SunlitSky, ColourSky):
     """The colours of a physical sky (`held` makes it), as a table: a million directions in seconds.
 
     Errors against the sky itself: below 0.3 % for suns over 5 degrees; lower, 3 % of the brightest (both tested),
     besides its own noise where it is path traced.
     """
 
-    sun: Array
-    sky: SpectralSky
+    sky: AtmosphereSky
     series: np.ndarray
     """Coefficients of cos(m x relative azimuth): (nodes, terms, shapes + 1, 3), the last of higher orders.
 
@@ -44,13 +44,12 @@ class HeldSky(ColourSky):
     @property
     def atmosphere(self) -> Atmosphere:
         """The air."""
-        air: Atmosphere = self.sky.atmosphere  # type: ignore[attr-defined]
-        return air
+        return self.sky.atmosphere
 
     @property
     def albedo(self) -> Any:
         """The ground's."""
-        return self.atmosphere.albedo
+        return self.sky.albedo
 
     def parameters(self) -> dict[str, Any]:
         """Those of the sky that is held."""
@@ -59,21 +58,12 @@ class HeldSky(ColourSky):
     @property
     def valid(self) -> Array:
         """True where the sun stands above -12 degrees, or the horizon if the sky knows no twilight."""
-        return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.twilight else 0.0))
+        return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.sky.knows_twilight else 0.0))
 
     @property
-    def twilight(self) -> bool:
-        """Whether the sky still has light when the sun has set: those in round shells have."""
-        return type(self.sky).__name__ != "DiscreteOrdinates"
-
-    @property
-    def direct_normal_illuminance(self) -> float:
+    def direct_normal_illuminance(self) -> Array:
         """Illuminance of the sun through this air on a plane that faces it, lx; 0 when it has set."""
-        if float(self.sun[2]) <= 0:
-            return 0.0
-        bands = SpectralSky.bands
-        light = self.atmosphere.transmittance(float(self.sun[2]), bands) * self.atmosphere.sun_at(bands)
-        return float(np.squeeze(light @ xyz_weights(bands))[1])
+        return self.sky.direct_normal_illuminance
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""
@@ -112,8 +102,8 @@ def node_directions(sun: np.ndarray) -> np.ndarray:
     return np.asarray(direction(np.arctan2(sun[0], sun[1]) + relative, np.arcsin(mu)))
 
 
-def held(sky: Any, bands: np.ndarray | None = None, light: np.ndarray | None = None) -> HeldSky:
-    """The colours of a physical `sky` (one sun, any class with an `atmosphere`) held in a table.
+def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray | None = None) -> HeldSky:
+    """The colours of a physical `sky` (one sun) held in a table.
 
     `light` (nodes, W) may give the radiance at `node_directions` and `bands` (W,) where it is known already, as from
     a tracing. ValueError for many suns.

@@ -8,19 +8,18 @@ volume of voxels in the sun's frame (1996) | a column of heights at the observer
 ground not named | sunlight that the ground reflects is scattered once more (1996's order two) | albedo is in the air
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.atmosphere import Atmosphere
 from skydome.air.rays import ColumnTable, Rays, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.discrete_ordinates import across, cosine_transform, cubic, geometry, position, view_nodes
-from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range, require
 
 CHUNK = 2048
@@ -31,7 +30,7 @@ HEIGHTS = np.array([0, 0.003, 0.01, 0.02, 0.035, 0.06, 0.1, 0.16, 0.25, 0.4, 0.6
 
 
 @dataclass(frozen=True, eq=False)
-class Nishita93(SpectralSky):
+class Nishita93(AtmosphereSky):
     """The sky of light scattered once in the spherical shells of an `atmosphere`, seen from the ground.
 
     Known errors: too dark by a fifth (red) to a half (blue) and more over bright ground, near the horizon too blue:
@@ -43,8 +42,7 @@ class Nishita93(SpectralSky):
     [0.041, 0.015]
     """
 
-    sun: Array
-    atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
+    knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "Nishita, Sirai, Tadamura, Nakamae 1993, eq. 4-9"
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
@@ -59,11 +57,11 @@ class Nishita93(SpectralSky):
             flat = views.reshape(-1, 3)
             up = flat[:, 2] >= 0
             found = np.zeros((len(flat), w.size))
-            found[up] = self.one_sun(table, suns[index], flat[up], w)
+            found[up] = self.under_one_sun(table, suns[index], flat[up], w)
             light[place] = found.reshape(*views.shape[:-1], w.size)
         return light * self.atmosphere.sun_at(w)
 
-    def one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
+    def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once, for a sun of irradiance 1, sr-1, shape (D, W)."""
         start = np.full(len(views), self.atmosphere.radius)
         return scattered_once(table, start, views, sun, wavelengths)
@@ -84,9 +82,9 @@ class Nishita96(Nishita93):
         super().__post_init__()
         require("rings", self.rings, Range(2, 64))
 
-    def one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
+    def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once and twice, for a sun of irradiance 1, sr-1, shape (D, W)."""
-        once = super().one_sun(table, sun, views, wavelengths)
+        once = super().under_one_sun(table, sun, views, wavelengths)
         terms = 12
         series = second_order_series(table, sun, wavelengths, self.rings, terms)
         for start in range(0, len(views), CHUNK):

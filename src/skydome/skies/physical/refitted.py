@@ -11,7 +11,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
-from skydome.skies.sky import SpectralSky
+from skydome.skies.sky import SpectralSky, SunlitSky
 
 OFFSET = 0.01
 """What is added to cos t in the gradation, as Hosek and Wilkie have it."""
@@ -49,14 +49,13 @@ class Numbers:
 
 
 @dataclass(frozen=True, eq=False)
-class Refitted(SpectralSky):
+class Refitted(SunlitSky, SpectralSky):
     """The sky of `numbers` (`skydome.own_air.refit.refitted` makes them), for any sun between the elevations fitted.
 
     Between two suns fitted, the light of both formulas, linear in elevation; between two wavelengths, linear in the
     logarithm. A sun below the least elevation fitted is taken as standing at it (`valid` is False there).
     """
 
-    sun: Array
     numbers: Numbers
     source: ClassVar[str] = "Hosek and Wilkie 2012, eq. 8, fitted to a physical sky"
 

@@ -20,22 +20,18 @@ class AtmosphereSun(SunDisc):
     atmosphere at 550 nm: scattering of all kinds over that of molecules.
 
     >>> import skydome as sd
-    >>> sun, air = sd.direction(azimuth=0.0, elevation=30 * sd.deg), sd.Atmosphere.from_turbidity(3.0)
+    >>> from skydome.air.atmosphere import PREETHAM_HAZE
+    >>> sun, air = sd.direction(azimuth=0.0, elevation=30 * sd.deg), sd.Atmosphere.from_turbidity(3.0, PREETHAM_HAZE)
     >>> disc = AtmosphereSun(sun, air)
     >>> round(float(disc.illuminance(sun)), -2), round(float(disc.turbidity), 9)
     (70400.0, 3.0)
     """
 
-    turbidity: Any = field(default=None, init=False)
+    turbidity: Any = field(default=property(lambda self: turbidity_of(self.atmosphere)), init=False)
     angular_radius: Any = field(default=MEAN_RADIUS, kw_only=True)
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     ranges: ClassVar = {"angular_radius": Range(1e-5, 0.1, "rad")}
     source: ClassVar[str] = "the atmosphere's sunlight and depths; limb darkening of Hosek and Wilkie 2013"
-
-    def __post_init__(self) -> None:
-        """Validate, and say how turbid the atmosphere is."""
-        object.__setattr__(self, "turbidity", turbidity_of(self.atmosphere))
-        super().__post_init__()
 
     def centre_radiance(self, wavelengths: Any) -> Array:
         """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""

@@ -25,7 +25,7 @@ from skydome.ground.directions import angle_between, checked_directions, elevati
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.hosek_wilkie import band_weights, turbidity_weights
-from skydome.skies.sky import Sky, SpectralSky
+from skydome.skies.sky import Sky, SpectralSky, SunlitSky
 from skydome.skies.validity import Range
 
 MEAN_RADIUS = float(np.radians(959.63 / 3600))
@@ -73,7 +73,7 @@ def limb_mean(wavelengths: Any) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class SunDisc(SpectralSky):
+class SunDisc(SunlitSky, SpectralSky):
     """The sun's disc toward `sun`, seen through air of a turbidity 1-10; add it to a sky: `sky + SunDisc.of(sky)`.
 
     `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's). `direct_normal_illuminance`, lx, sets
@@ -86,7 +86,6 @@ class SunDisc(SpectralSky):
     83600.0
     """
 
-    sun: Array
     turbidity: Any = 3.0
     angular_radius: Any = MEAN_RADIUS
     direct_normal_illuminance: Any = field(default=None, kw_only=True)
@@ -101,13 +100,19 @@ class SunDisc(SpectralSky):
         TypeError for a sky that tells neither (the CIE's): give SunDisc(sun, turbidity=...) then.
         """
         for part in sky.parts:
-            known = getattr(part, "turbidity", turbidity)
-            level = getattr(part, "direct_normal_illuminance", None)
-            if hasattr(part, "sun") and (known is not None or level is not None):
+            if (lit := part.sunlit) is None:
+                continue
+            known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
+            if known is not None or level is not None:
                 known = 3.0 if known is None else known
-                return cls(part.sun, known, angular_radius, direct_normal_illuminance=level, check=part.check)
+                return cls(lit.sun, known, angular_radius, direct_normal_illuminance=level, check=part.check)
         name = type(sky).__name__
         raise TypeError(f"{name} does not tell how bright its sun is; give skydome.SunDisc(sun, turbidity=...)")
+
+    @property
+    def haze(self) -> Any:
+        """The turbidity."""
+        return self.turbidity
 
     @classmethod
     def from_irradiance(

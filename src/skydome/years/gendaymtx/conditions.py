@@ -7,9 +7,10 @@ import os
 
 import numpy as np
 
-SOLAR_CONSTANT = 1367.0
+from skydome.ground.units import SOLAR_CONSTANT
+
 SOLAR_LIGHT_CONSTANT = 127_500.0
-"""Extraterrestrial irradiance, W m-2, and illuminance, lx, as gendaymtx has them."""
+"""Extraterrestrial illuminance, lx, as gendaymtx has it."""
 
 LONGEST_STEP, MOST_STEPS = 10.0, 5
 """Irradiances are taken as found when they move by no more than 10 W m-2, or after 5 steps."""

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.dome.patches import TREGENZA_COUNTS
+
 BLOCK = 16384
 """Values worked on at once."""
 
@@ -30,7 +32,7 @@ def rows_of(division: int) -> list[tuple[float, int, float]]:
     step = np.pi / 2 / (7 * division + 0.5)
     rows = []
     for k in range(7 * division):
-        count = (30, 30, 24, 24, 18, 12, 6)[k // division] * division
+        count = TREGENZA_COUNTS[k // division] * division
         size = 2 * np.pi * (np.sin(step * (k + 1)) - np.sin(step * k)) / count
         rows.append((float(np.float32(step * (k + 0.5))), count, float(size)))
     return [*rows, (float(np.float32(np.pi / 2)), 1, float(2 * np.pi * (1 - np.cos(step / 2))))]

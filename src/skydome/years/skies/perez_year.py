@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from skydome.skies.perez_all_weather import SOLAR_CONSTANT, Compat, PerezAllWeather, distribution_letters
+from skydome.ground.units import SOLAR_CONSTANT
+from skydome.skies.perez_all_weather import Compat, PerezAllWeather, distribution_letters
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
 from skydome.years.weather.sun_of_interval import SunTrack, lit_sun

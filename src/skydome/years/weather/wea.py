@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground.directions import zenith_angle
-from skydome.ground.units import deg
+from skydome.ground.units import SOLAR_CONSTANT, deg
 from skydome.ground.writing import appearing
 from skydome.sun.place import Place
-from skydome.years.gendaymtx.conditions import SOLAR_CONSTANT, SOLAR_LIGHT_CONSTANT, irradiances_of
+from skydome.years.gendaymtx.conditions import SOLAR_LIGHT_CONSTANT, irradiances_of
 from skydome.years.weather.calendar import (
     calendar_year,
     check_dates,

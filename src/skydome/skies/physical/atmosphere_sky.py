@@ -1,0 +1,30 @@
+"""What the skies of an `Atmosphere` share: the air, its ground, and how bright its sun is."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.ground.arrays import Array, at_least
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.sky import SpectralSky, SunlitSky
+
+
+@dataclass(frozen=True, eq=False)
+class AtmosphereSky(SunlitSky, SpectralSky):
+    """The sky of an `atmosphere` under a sun: what discrete ordinates, Nishita's integrals and path tracing solve."""
+
+    atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
+
+    @property
+    def albedo(self) -> Any:
+        """The ground's, a number or a `Spectrum`."""
+        return self.atmosphere.albedo
+
+    @property
+    def direct_normal_illuminance(self) -> Array:
+        """Illuminance of the sun through this air on a plane that faces it, lx, shape (...,); 0 when it has set."""
+        cosine, bands = np.asarray(self.sun, dtype=np.float64)[..., 2], SpectralSky.bands
+        light = self.atmosphere.transmittance(at_least(cosine, 0.0), bands) * self.atmosphere.sun_at(bands)
+        return np.where(cosine > 0, (light @ xyz_weights(bands))[..., 1], 0.0)[()]
