@@ -64,7 +64,8 @@ def together(pictures, name, columns, exposures=None):
 
 def physical(turbidity, time):
     """The sky, the sun and the air of one atmosphere at the park."""
-    sun, atmosphere = sd.sun_direction(PARK, time), sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE, albedo=0.12, ozone=350.0)
+    sun = sd.sun_direction(PARK, time)
+    atmosphere = sd.Atmosphere.from_turbidity(turbidity, PREETHAM_HAZE, albedo=0.12, ozone=350.0)
     whole = sd.DiscreteOrdinates(sun, atmosphere) + sd.AtmosphereSun(sun, atmosphere)
     return whole, sd.AirLight(whole, ground_albedo=0.12)
 

@@ -139,7 +139,7 @@ def test_night_is_black():
 @pytest.mark.parametrize("albedo", [0.0, 0.8])
 def test_the_ground_under_a_physical_sky_is_its_atmospheres(albedo):
     """Bare as held, alone as in a sum or multiplied: albedo x global illuminance / pi."""
-    sun, air = sd.direction(azimuth=0.0, elevation=40 * deg), sd.Atmosphere.from_turbidity(3.0, albedo=albedo)
+    sun, air = sd.direction(azimuth=0.0, elevation=40 * sd.deg), sd.Atmosphere.from_turbidity(3.0, albedo=albedo)
     sky = sd.Nishita93(sun, air)
     for one, factor in ((sky, 1.0), (sd.held(sky), 1.0), (2.0 * sky, 2.0), (sky + sd.Nishita93(sun, air), 2.0)):
         ground = sd.render(one, height=32).pixels[-1, 0].astype(float)
@@ -150,13 +150,25 @@ def test_the_ground_under_a_physical_sky_is_its_atmospheres(albedo):
 @pytest.mark.parametrize("kind", ["DiscreteOrdinates", "PathTraced"])
 def test_the_ground_under_other_physical_skies(kind):
     pytest.importorskip({"DiscreteOrdinates": "nanodisort", "PathTraced": "numba"}[kind])
-    sun, air = sd.direction(azimuth=0.0, elevation=40 * deg), sd.Atmosphere.from_turbidity(3.0, albedo=0.8)
+    sun, air = sd.direction(azimuth=0.0, elevation=40 * sd.deg), sd.Atmosphere.from_turbidity(3.0, albedo=0.8)
     others = {"relative_error": 0.3} if kind == "PathTraced" else {}
     assert getattr(sd, kind)(sun, air, **others).albedo == 0.8
 
 
 def test_the_ground_under_a_blend_is_the_clear_skys():
-    clear, overcast = sd.HosekWilkie(SUN, 3.0, albedo=0.7), sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0))
+    clear, overcast = (
+        sd.HosekWilkie(sd.direction(2.0, 0.7), 3.0, albedo=0.7),
+        sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0)),
+    )
     whole = sd.Blend(clear, overcast, 0.4)
     dark, own = (sd.render(whole, height=32, ground_albedo=a).pixels[-1, 0] for a in (0.35, None))
     assert own == pytest.approx(2 * dark, rel=1e-5)
+
+
+def test_the_ground_under_nishita_in_numbers():
+    """Held and bare have one ground: 3350, 3579 and 4002 cd m-2 of red, green and blue under air of turbidity 3."""
+    from skydome.air.atmosphere import PREETHAM_HAZE
+
+    air = sd.Atmosphere.from_turbidity(3.0, PREETHAM_HAZE, albedo=0.8, ozone=350.0)
+    sky = sd.Nishita93(sd.direction(azimuth=0.0, elevation=40 * sd.deg), air)
+    assert sd.render(sky, height=32).pixels[-1, 0] == pytest.approx([3350.0, 3578.6, 4001.5], rel=1e-4)

@@ -23,8 +23,9 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.atmosphere.albedo
 
     @property
-    def direct_normal_illuminance(self) -> Array:
+    def direct_normal_illuminance(self) -> Array | float:
         """Illuminance of the sun through this air on a plane that faces it, lx, shape (...,); 0 when it has set."""
         cosine, bands = np.asarray(self.sun, dtype=np.float64)[..., 2], SpectralSky.bands
         light = self.atmosphere.transmittance(at_least(cosine, 0.0), bands) * self.atmosphere.sun_at(bands)
-        return np.where(cosine > 0, (light @ xyz_weights(bands))[..., 1], 0.0)[()]
+        level = np.where(cosine > 0, (light @ xyz_weights(bands))[..., 1], 0.0)
+        return float(level) if self.one_sun else level

@@ -61,7 +61,7 @@ class HeldSky(SunlitSky, ColourSky):
         return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.sky.knows_twilight else 0.0))
 
     @property
-    def direct_normal_illuminance(self) -> Array:
+    def direct_normal_illuminance(self) -> Array | float:
         """Illuminance of the sun through this air on a plane that faces it, lx; 0 when it has set."""
         return self.sky.direct_normal_illuminance
 
