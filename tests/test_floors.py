@@ -61,10 +61,3 @@ def test_import_needs_numpy_alone():
 
     code = "import sys, skydome; heavy = set(sys.argv[1:]) & set(sys.modules); assert not heavy, heavy"
     subprocess.run([sys.executable, "-c", code, *sorted(HEAVY)], check=True)
-
-
-def test_every_public_name_resolves():
-    for name in skydome.__all__:
-        assert getattr(skydome, name) is not None
-    with pytest.raises(AttributeError, match="no attribute 'Skye'"):
-        _ = skydome.Skye

@@ -7,30 +7,32 @@ Frame: x east, y north, z up; azimuth clockwise from north; directions point tow
 from importlib import import_module
 from typing import Any
 
-from skydome.ground.units import deg, km
-
 __version__ = "0.1.0"
 
-# Public name -> module; imported when first asked for, so that `import skydome` stays quick.
 HOME = {
+    "ground.units": "deg km",
     "ground.directions": "ZENITH NORTH EAST SOUTH WEST direction azimuth elevation angle_between unit",
     "sun.place": "Place",
     "sun.position": "sun_direction sun_angles earth_sun_distance solar_radius",
     "sun.preetham_position": "preetham_sun_direction",
     "sun.events": "sun_events SunEvents",
-    "sun.times": "instants",
     "light.spectrum": "Spectrum",
     "light.colour": "SRGB REC2020 ACESCG RADIANCE RGBSpace",
     "light.colour_temperature": "colour_temperature duv",
     "light.daylight": "daylight_spectrum",
+    "air.atmosphere": "Atmosphere",
+    "air.constituents": "Aerosol Molecules Ozone",
+    "air.mie": "MieParticles",
+    "air.size_distributions": "Lognormal Junge GammaSizes",
+    "air.transmittance": "ClearAir",
     "skies.sky": "Sky ColourSky SpectralSky",
-    "skies.combination": "Blend Combination",
-    "skies.formula.level": "clear_zenith_luminance overcast_zenith_luminance",
+    "skies.combination": "Blend",
     "skies.uniform": "Uniform MoonSpencer",
     "skies.cie": "CIE CIEClear CIEIntermediate",
+    "skies.formula.level": "clear_zenith_luminance overcast_zenith_luminance",
     "skies.perez": "Perez",
     "skies.perez_all_weather": "PerezAllWeather",
-    "skies.preetham": "Preetham PreethamNumbers RefittedPreetham",
+    "skies.preetham": "Preetham",
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
     "skies.daylight_sky": "Daylight",
     "skies.suns.sun_disc": "SunDisc",
@@ -38,56 +40,53 @@ HOME = {
     "skies.suns.atmosphere_sun": "AtmosphereSun",
     "skies.neural.sky": "NeuralSky NeuralSpectralSky",
     "skies.captured": "CapturedSky",
-    "skies.series": "luminance_series",
-    "air.atmosphere": "Atmosphere",
-    "air.constituents": "Aerosol Molecules Ozone",
-    "air.mie": "MieParticles",
-    "air.size_distributions": "Lognormal Junge GammaSizes",
+    "skies.physical.choice": "physical_sky",
     "skies.physical.discrete_ordinates": "DiscreteOrdinates",
     "skies.physical.nishita": "Nishita93 Nishita96",
+    "skies.physical.held": "held",
     "skies.path_tracing.sky": "PathTraced",
-    "skies.path_tracing.many_suns": "many_suns",
-    "skies.physical.refitted": "Refitted",
-    "skies.physical.choice": "physical_sky",
-    "skies.physical.held": "HeldSky held",
-    "maps.environment_map": "EnvironmentMap",
-    "maps.projections": "Equirectangular EqualAreaSquare CubeMap Fisheye",
-    "maps.targets": "target",
-    "years.skies.series": "year",
-    "years.weather.weather": "Weather",
-    "years.weather.reading": "read_weather",
-    "dome.patches": "Patches patches",
+    "skies.series": "luminance_series",
+    "dome.render": "render",
     "dome.integrals": "illuminance irradiance",
     "dome.patch_means": "patch_means",
     "dome.harmonics": "SphericalHarmonics",
     "dome.sampling": "SkySampler sample sample_density",
-    "dome.render": "render",
-    "fitting.fit": "Fit fit",
-    "skies.formula.sky_tables": "SkyTables",
-    "own_air.family": "SkyFamily",
-    "own_air.bezier_family": "bezier_family",
-    "own_air.preetham_fit": "preetham_fit",
+    "maps.environment_map": "EnvironmentMap",
+    "maps.loading": "load",
+    "maps.equirectangular": "Equirectangular",
+    "maps.equal_area_square": "EqualAreaSquare",
+    "maps.cube": "CubeMap",
+    "maps.fisheye": "Fisheye",
+    "maps.targets": "target",
+    "surroundings.obstruction": "obstructed_illuminance PlaneView Received",
     "surroundings.bands": "Bands",
     "surroundings.canyon": "StreetCanyon",
     "surroundings.horizon": "Horizon",
     "surroundings.mesh": "MeshScene",
     "surroundings.light_kinds": "LightInLux LightInXYZ LightInRGB LightInWavelengths",
-    "surroundings.obstruction": "obstructed_illuminance PlaneView Received",
-    "export.shaders": "shader",
+    "haze.aerial_perspective": "aerial_perspective AerialPerspective AirLight",
+    "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "eye.eye": "Eye",
     "eye.view": "Camera HalfSphere",
     "eye.glare": "glare",
     "eye.point_spread": "StilesHolladay CIETotal Spencer PHOTOPIC MESOPIC SCOTOPIC",
     "eye.lens_flare": "LensFlare",
-    "air.transmittance": "ClearAir",
-    "haze.aerial_perspective": "aerial_perspective AerialPerspective AirLight",
-    "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "land.picture": "render_terrain TerrainPicture",
     "land.elevation": "Elevation read_elevation",
+    "years.weather.weather": "Weather",
+    "years.weather.reading": "read_weather",
+    "years.skies.series": "year",
+    "export.shaders": "shader",
+    "fitting.fit": "fit Fit",
 }
+"""Module -> its public names, in the order of reading; a module is imported when a name of it is first asked for.
+
+`scripts/make_face.py` writes from it what type checkers read (`__init__.pyi`) and what people read (`docs/api.md`).
+"""
+
 WHERE = {name: f"skydome.{module}" for module, names in HOME.items() for name in names.split()}
 
-__all__ = ["__version__", "deg", "km", *WHERE]
+__all__ = ["__version__", *WHERE]
 
 
 def __getattr__(name: str) -> Any:

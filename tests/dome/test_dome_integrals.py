@@ -7,6 +7,7 @@ from scipy.special import sph_harm_y
 import skydome as sd
 from skydome import deg
 from skydome.dome.harmonics import cosine_lobe, harmonics
+from skydome.dome.patches import patches
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import xyz_weights
 
@@ -83,7 +84,7 @@ def test_refusals():
 @pytest.mark.parametrize("name", ["cie-12", "hosek-wilkie"])
 def test_patch_means_against_a_brute_sum(division, name):
     sky = sd.CIE(SUN, 12, zenith_luminance=4000.0) if name == "cie-12" else spectral()[0]
-    cut = sd.patches(division)
+    cut = patches(division)
     means = sd.patch_means(sky, cut, tolerance=1e-5)
     some = np.unique(np.append(np.arange(0, cut.count, 7), cut.index(SUN[None])))
     bounds = cut.bounds[some]

@@ -10,8 +10,11 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome.air.cross_sections import rayleigh_depth
 from skydome.cli.main import app
+from skydome.own_air.bezier_family import bezier_family
 from skydome.own_air.bezier_fit import AllSuns
+from skydome.own_air.family import SkyFamily
 from skydome.own_air.grid import Grid, simulate
+from skydome.skies.formula.sky_tables import SkyTables
 from skydome.skies.hosek_wilkie import BANDS, published
 
 pytest.importorskip("scipy")
@@ -28,7 +31,7 @@ def physical(sun, turbidity, albedo):
 
 def published_tables():
     nodes = np.arange(1.0, 11.0), (0.0, 1.0), BANDS
-    return sd.SkyTables(*nodes, published("spectral"), np.zeros((10, 2, 11)))
+    return SkyTables(*nodes, published("spectral"), np.zeros((10, 2, 11)))
 
 
 def away(tables, family):
@@ -50,19 +53,19 @@ def rms(values):
 
 @pytest.fixture(scope="module")
 def tables():
-    return sd.bezier_family(sd.SkyFamily.of(physical, (2.0, 3.0, 4.0), (0.0, 1.0), W))
+    return bezier_family(SkyFamily.of(physical, (2.0, 3.0, 4.0), (0.0, 1.0), W))
 
 
 def test_the_family_is_within_four_per_cent_over_suns_and_turbidities(tables):
     assert tables.control.shape == (3, 2, 6, 2, 10)
     assert rms(tables.error) < 0.04
     assert tables.error[:2].max() < 0.04  # turbidity 2 and 3, each albedo and wavelength by itself
-    own = sd.SkyFamily.of(physical, (3.0,), (0.0, 1.0), W)
+    own = SkyFamily.of(physical, (3.0,), (0.0, 1.0), W)
     np.testing.assert_allclose(np.sqrt((away(tables, own) ** 2).mean(axis=2))[0], tables.error[1], rtol=1e-6)
 
 
 def test_suns_and_turbidities_between_those_fitted(tables):
-    between = sd.SkyFamily.of(physical, (2.5, 3.5), (0.0, 1.0), W, np.radians([7.7, 14.0, 33.0, 62.0]))
+    between = SkyFamily.of(physical, (2.5, 3.5), (0.0, 1.0), W, np.radians([7.7, 14.0, 33.0, 62.0]))
     errors = away(tables, between)
     assert rms(errors) < 0.04
     assert errors.max() < 0.09
@@ -72,7 +75,7 @@ def test_suns_and_turbidities_between_those_fitted(tables):
 
 def test_albedos_are_mixed_as_light_is():
     """All albedos share the numbers in which light is not linear."""
-    tables = sd.bezier_family(sd.SkyFamily.of(sd.HosekWilkie, (3.0,), (0.0, 1.0), (560.0,)))
+    tables = bezier_family(SkyFamily.of(sd.HosekWilkie, (3.0,), (0.0, 1.0), (560.0,)))
     views, sun = sd.direction(np.arange(9.0), np.linspace(0.1, 1.5, 9)), sd.direction(np.pi, 0.7)
     dark, grey, bright = (sd.HosekWilkie(sun, 3.0, a, tables=tables).radiance(views, [560.0]) for a in (0, 0.4, 1))
     np.testing.assert_allclose(grey, 0.6 * dark + 0.4 * bright, rtol=1e-12)
@@ -80,9 +83,9 @@ def test_albedos_are_mixed_as_light_is():
 
 def test_hosek_and_wilkies_own_skies_are_given_back():
     nodes, bands = (2.0, 3.0, 4.0), (400.0, 680.0)
-    tables = sd.bezier_family(sd.SkyFamily.of(sd.HosekWilkie, nodes, (0.0, 1.0), bands))
+    tables = bezier_family(SkyFamily.of(sd.HosekWilkie, nodes, (0.0, 1.0), bands))
     assert rms(tables.error) < 0.01
-    between = sd.SkyFamily.of(sd.HosekWilkie, (2.5, 3.5), (0.0, 1.0), bands, np.radians([7.5, 14, 33, 60, 83]))
+    between = SkyFamily.of(sd.HosekWilkie, (2.5, 3.5), (0.0, 1.0), bands, np.radians([7.5, 14, 33, 60, 83]))
     assert rms(away(tables, between)) < 0.02
 
 
@@ -119,7 +122,7 @@ def test_ranges_are_those_of_the_tables(tables):
 
 
 def test_the_jacobian_is_the_slope():
-    family = sd.SkyFamily.of(physical, (3.0,), (0.0, 1.0), (550.0,), np.radians([6, 10, 20, 35, 55, 80]))
+    family = SkyFamily.of(physical, (3.0,), (0.0, 1.0), (550.0,), np.radians([6, 10, 20, 35, 55, 80]))
     problem = AllSuns.of(family, family.radiance[0, ..., 0])
     x = np.repeat([-1.2, -0.4, -2.4, 0.76], 6) + np.random.default_rng(0).normal(0, 0.05, 24)
     differences, linear, bases = problem.solved(x)
@@ -155,19 +158,19 @@ def write_numbers(path, **changed):
 )
 def test_files_that_are_no_tables_are_refused(tmp_path, changed, message):
     with pytest.raises(ValueError, match=message):
-        sd.SkyTables.load(write_numbers(tmp_path / "wrong.npz", **changed))
+        SkyTables.load(write_numbers(tmp_path / "wrong.npz", **changed))
 
 
 def test_cut_and_swollen_files_are_refused(tmp_path, monkeypatch):
     path = write_numbers(tmp_path / "tables.npz")
     (tmp_path / "cut.npz").write_bytes(path.read_bytes()[:-40])
     with pytest.raises(ValueError, match=r"is no .npz file"):
-        sd.SkyTables.load(tmp_path / "cut.npz")
+        SkyTables.load(tmp_path / "cut.npz")
     with zipfile.ZipFile(tmp_path / "swollen.npz", "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("control.npy", bytes(2**20))
     monkeypatch.setattr("skydome.skies.formula.sky_tables.MOST_BYTES", 2**19)
     with pytest.raises(ValueError, match="unpacks to 1048576 bytes"):
-        sd.SkyTables.load(tmp_path / "swollen.npz")
+        SkyTables.load(tmp_path / "swollen.npz")
     with pytest.raises(FileNotFoundError):
         sd.HosekWilkie(sd.ZENITH, 3.0, tables=tmp_path / "missing.npz")
 
@@ -201,9 +204,9 @@ def test_from_a_simulated_store_to_a_map(tmp_path):
 
 def test_bad_input_to_fitting(tmp_path):
     with pytest.raises(ValueError, match="six suns or more"):
-        sd.bezier_family(sd.SkyFamily.of(sd.HosekWilkie, (3.0,), (0.0,), (560.0,), np.radians([10.0, 20.0])))
+        bezier_family(SkyFamily.of(sd.HosekWilkie, (3.0,), (0.0,), (560.0,), np.radians([10.0, 20.0])))
     with pytest.raises(FileNotFoundError, match="must be a folder"):
-        sd.SkyFamily.from_store(tmp_path / "none.zarr")
+        SkyFamily.from_store(tmp_path / "none.zarr")
     with pytest.raises(ValueError, match="no store of simulated skies"):
-        sd.SkyFamily.from_store(tmp_path)
+        SkyFamily.from_store(tmp_path)
     assert "file of hosek-wilkie must end in .npz" in command("fit", tmp_path, "-o", tmp_path / "a.txt").stderr

@@ -9,8 +9,10 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome.air.cross_sections import rayleigh_depth
 from skydome.cli.main import app
+from skydome.own_air.family import SkyFamily
 from skydome.own_air.grid import Grid, simulate
-from skydome.skies.preetham import PUBLISHED
+from skydome.own_air.preetham_fit import preetham_fit
+from skydome.skies.preetham import PUBLISHED, PreethamNumbers, RefittedPreetham
 
 pytest.importorskip("scipy")
 W = np.arange(380.0, 781.0, 5.0)
@@ -29,7 +31,7 @@ def physical(sun, turbidity, albedo):
 
 @pytest.fixture(scope="module")
 def own():
-    return sd.preetham_fit(sd.SkyFamily.of(preetham, T, (0.0,), W, SUNS))
+    return preetham_fit(SkyFamily.of(preetham, T, (0.0,), W, SUNS))
 
 
 def test_preethams_skies_give_back_his_numbers(own):
@@ -43,17 +45,17 @@ def test_preethams_skies_give_back_his_numbers(own):
 
 def test_the_refitted_sky_is_the_sky(own):
     views, sun = sd.direction(np.arange(60) * 2.4, np.arcsin(np.linspace(0.02, 1, 60))), sd.direction(1.0, 0.6)
-    away = sd.RefittedPreetham(sun, 3.4, own).xyY(views) - sd.Preetham(sun, 3.4).xyY(views)
+    away = RefittedPreetham(sun, 3.4, own).xyY(views) - sd.Preetham(sun, 3.4).xyY(views)
     assert np.abs(away[:, :2]).max() < 3e-4
     np.testing.assert_allclose(
-        sd.RefittedPreetham(sun, 3.4, own).luminance(views), sd.Preetham(sun, 3.4).luminance(views), rtol=1e-4
+        RefittedPreetham(sun, 3.4, own).luminance(views), sd.Preetham(sun, 3.4).luminance(views), rtol=1e-4
     )
 
 
 def test_physical_skies_are_fitted_better_than_preetham_has_them():
     pytest.importorskip("nanodisort")
-    family = sd.SkyFamily.of(physical, (2.0, 3.0, 4.0), (0.1,), np.arange(380.0, 781.0, 80.0), SUNS)
-    numbers = sd.preetham_fit(family, 0.1)
+    family = SkyFamily.of(physical, (2.0, 3.0, 4.0), (0.1,), np.arange(380.0, 781.0, 80.0), SUNS)
+    numbers = preetham_fit(family, 0.1)
     share = family.views.solid_angles / family.views.solid_angles.sum()
 
     def error(kind, *more):
@@ -64,18 +66,18 @@ def test_physical_skies_are_fitted_better_than_preetham_has_them():
             found.append(share @ (kind(sun, 3.0, *more).luminance(family.views.directions) / truth - 1) ** 2)
         return float(np.sqrt(np.mean(found)))
 
-    assert error(sd.RefittedPreetham, numbers) < 0.2 < 0.5 < error(sd.Preetham)
+    assert error(RefittedPreetham, numbers) < 0.2 < 0.5 < error(sd.Preetham)
 
 
 def test_the_file_and_what_is_no_such_file(own, tmp_path):
     own.save(tmp_path / "own.json")
-    again = sd.PreethamNumbers.load(tmp_path / "own.json")
+    again = PreethamNumbers.load(tmp_path / "own.json")
     sun = sd.direction(1.0, 0.6)
-    assert sd.RefittedPreetham(sun, 3.0, again).luminance(sd.ZENITH) == sd.RefittedPreetham(sun, 3.0, own).luminance(
+    assert RefittedPreetham(sun, 3.0, again).luminance(sd.ZENITH) == RefittedPreetham(sun, 3.0, own).luminance(
         sd.ZENITH
     )
     with pytest.raises(ValueError, match=r"turbidity must lie in \[2, 6\], got 7"):
-        sd.RefittedPreetham(sun, 7.0, again)
+        RefittedPreetham(sun, 7.0, again)
     short = json.loads((tmp_path / "own.json").read_text()) | {"zenith_Y": [1, 2]}
     for text, message in (
         ("{", "holds no numbers"),
@@ -84,13 +86,13 @@ def test_the_file_and_what_is_no_such_file(own, tmp_path):
     ):
         (tmp_path / "bad.json").write_text(text)
         with pytest.raises(ValueError, match=message):
-            sd.PreethamNumbers.load(tmp_path / "bad.json")
+            PreethamNumbers.load(tmp_path / "bad.json")
 
 
 def test_too_little_to_fit_is_refused():
-    few = sd.SkyFamily.of(preetham, (2.0, 3.0), (0.0,), W, SUNS)
+    few = SkyFamily.of(preetham, (2.0, 3.0), (0.0,), W, SUNS)
     with pytest.raises(ValueError, match="three turbidities, four suns and 400-700 nm are needed, got 2 turbidities"):
-        sd.preetham_fit(few)
+        preetham_fit(few)
 
 
 def test_the_command_fits_a_store(tmp_path):
@@ -102,8 +104,8 @@ def test_the_command_fits_a_store(tmp_path):
     simulate(Grid((2.0, 3.0, 4.0), (0.0,), suns, bands, zenith, tuple(range(0, 181, 20))), store)
     run = CliRunner().invoke(app, ["fit", str(store), "--form", "preetham", "-o", str(tmp_path / "n.json"), "--json"])
     assert run.exit_code == 0, run.output
-    numbers = sd.PreethamNumbers.load(tmp_path / "n.json")
-    sky = sd.RefittedPreetham(sd.direction(np.pi, 0.7), 3.0, numbers)
+    numbers = PreethamNumbers.load(tmp_path / "n.json")
+    sky = RefittedPreetham(sd.direction(np.pi, 0.7), 3.0, numbers)
     air = sd.Atmosphere.standard(2 * float(rayleigh_depth([550.0])[0]), albedo=0.0, aerosol_albedo=1.0)
     views = sd.direction(np.arange(40) * 2.4, np.arcsin(np.linspace(0.2, 1, 40)))
     truth = sd.DiscreteOrdinates(sd.direction(np.pi, 0.7), air).luminance(views)

@@ -7,6 +7,8 @@
 import numpy as np
 
 import skydome as sd
+from skydome.skies.physical.refitted import Refitted
+from skydome.skies.preetham import RefittedPreetham
 
 
 def irradiances(sun, one):
@@ -29,7 +31,7 @@ SKIES = {
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
-    "preetham-refitted": lambda sun, one: sd.RefittedPreetham(sun, one * 3.2),
+    "preetham-refitted": lambda sun, one: RefittedPreetham(sun, one * 3.2),
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "daylight": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
@@ -67,7 +69,7 @@ PHYSICAL = {
     "nishita-96": lambda sun: sd.Nishita96(sun, AIR, rings=4),
     "discrete-ordinates": lambda sun: sd.DiscreteOrdinates(sun, AIR),
     "mars": lambda sun: sd.Nishita93(sun, sd.Atmosphere.mars()),
-    "refitted": lambda sun: sd.Refitted(sun, numbers()),
+    "refitted": lambda sun: Refitted(sun, numbers()),
     "path-traced": lambda sun: sd.PathTraced(sun, AIR, relative_error=0.5),
     "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),

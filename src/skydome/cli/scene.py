@@ -65,6 +65,7 @@ def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
     """A sky that has colour: its own, or the chromaticity given or D65's."""
     import skydome as sd
     from skydome.light.colour import D65
+    from skydome.skies.validity import require_check
 
     if isinstance(sky, sd.ColourSky):
         if options.chromaticity is not None and options.blend_overcast is None:
@@ -76,7 +77,7 @@ def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
         white = (x, y)
     named = "D65, x, y = 0.3127, 0.3290" if white == D65 else f"x, y = {white[0]:g}, {white[1]:g}"
     note = f"colour: {type(sky).__name__} knows luminance only; daylight of one chromaticity is given to it, {named}"
-    return sd.Daylight(sky, white, check=options.check), [note]
+    return sd.Daylight(sky, white, check=require_check(options.check)), [note]
 
 
 def disc_for(
@@ -84,6 +85,7 @@ def disc_for(
 ) -> "tuple[SunDisc | None, list[str]]":
     """The sun's disc: as the sky tells it, by --dni, or a clear day's; none for overcast skies."""
     import skydome as sd
+    from skydome.skies.validity import require_check
 
     dni = options.direct_normal_irradiance
     if options.no_sun:
@@ -101,7 +103,7 @@ def disc_for(
         return disc, [f"sun's disc: of the direct normal irradiance {dni:g} W m-2"]
     if model.level is None and options.turbidity is None:
         return None, [f"sun's disc: none, {model.name} does not tell it; give --turbidity or --dni"]
-    disc = sd.SunDisc(moment.direction, turbidity, moment.radius, check=options.check)
+    disc = sd.SunDisc(moment.direction, turbidity, moment.radius, check=require_check(options.check))
     return disc, [f"sun's disc: a clear day's of turbidity {turbidity:g}"]
 
 

@@ -151,8 +151,13 @@ class Spencer(PointSpread):
 
 
 PHOTOPIC = Spencer()
+"""The spread by day (Spencer et al. 1995)."""
+
 MESOPIC = Spencer(core=0.368, halo=0.016)
+"""The spread at dusk (Spencer et al. 1995)."""
+
 SCOTOPIC = Spencer(core=0.282, bloom=0.207, halo=0.033)
+"""The spread by night (Spencer et al. 1995)."""
 
 
 @dataclass(frozen=True)

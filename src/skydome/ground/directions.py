@@ -7,10 +7,19 @@ import numpy as np
 from skydome.ground.arrays import Array, at_least, constant, floating, is_concrete, limited, namespace, safe_sqrt
 
 ZENITH = np.array([0.0, 0.0, 1.0])
+"""Straight up, (0, 0, 1)."""
+
 NORTH = np.array([0.0, 1.0, 0.0])
+"""North on the horizon, (0, 1, 0)."""
+
 EAST = np.array([1.0, 0.0, 0.0])
+"""East on the horizon, (1, 0, 0)."""
+
 SOUTH = -NORTH
+"""South on the horizon, (0, -1, 0)."""
+
 WEST = -EAST
+"""West on the horizon, (-1, 0, 0)."""
 
 
 def direction(azimuth: Any, elevation: Any) -> Array:

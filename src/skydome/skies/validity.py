@@ -1,6 +1,6 @@
 """Where a model holds: ranges as data, and what to do outside them."""
 
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, cast
 
 import numpy as np
 
@@ -53,7 +53,8 @@ def applied(value: Any, interval: Range, check: Check, like: Any = None) -> Arra
     return value if check == "raise" else limited(value, interval.low, interval.high)
 
 
-def require_check(check: str) -> None:
-    """ValueError unless check is one of the three policies."""
+def require_check(check: str) -> Check:
+    """`check` itself; ValueError unless it is one of the three policies."""
     if check not in CHECKS:
         raise ValueError(f'check must be one of "raise", "clamp", "nan", got {check!r}')
+    return cast(Check, check)
