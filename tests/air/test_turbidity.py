@@ -45,6 +45,14 @@ def test_linke_against_pvlib_ineichen_direct_beam():
     assert turbidity.from_linke(linke) == pytest.approx([1.0, 2.0, 4.0, 6.0], abs=1e-6)
 
 
+def test_kastens_factor_equals_pvlibs():
+    from pvlib.atmosphere import kasten96_lt
+
+    haze = np.array([0.0, 0.1, 0.5])
+    for mass, water in ((2.0, 2.0), (1.0, 0.5)):
+        assert turbidity.kasten_1996(haze, mass, water) == pytest.approx(kasten96_lt(mass, water, haze), rel=1e-12)
+
+
 def test_places():
     assert turbidity.of_place(28.6, 77.2, 11) > turbidity.of_place(-45.0, 170.0, 7)  # Delhi against New Zealand
     assert 1 <= turbidity.of_place(78.2, 15.6, 6) < 4

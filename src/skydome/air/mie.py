@@ -14,6 +14,7 @@ from skydome.air.phase_laws import LegendreSeries, legendre
 from skydome.air.profiles import Exponential, Profile
 from skydome.air.size_distributions import SizeDistribution
 from skydome.ground.arrays import Array
+from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum, checked_wavelengths
 
@@ -120,10 +121,7 @@ class MieParticles:
 
 def coefficients(index: complex, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Mie's a_n and b_n (N, terms) of spheres of size parameters x (N,); `index` is n - i k, as miepython has it."""
-    try:
-        import miepython
-    except ImportError as error:
-        raise ImportError('MieParticles needs miepython: pip install "skydome[mie]"') from error
+    miepython = required("miepython", "mie", "MieParticles")
     rows = [miepython.coefficients(index, float(size)) for size in x]
     terms = max(len(a) for a, _ in rows)
     padded = np.zeros((2, x.size, terms), dtype=np.complex128)

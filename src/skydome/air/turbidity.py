@@ -10,6 +10,7 @@ import numpy as np
 from skydome.air.scattering import HAZE_DECAY, gas_total, haze_total
 from skydome.air.transmittance import angstrom_beta
 from skydome.ground.arrays import Array, floating, namespace
+from skydome.ground.extras import required
 
 CONTRAST = 0.02
 """The least contrast that an observer sees (Preetham 1999, section 2.1)."""
@@ -70,18 +71,26 @@ def linke_of(turbidity: Any) -> np.ndarray:
     Molecules, ozone and 2 cm of water by Kasten's (1996) clean dry air (1 / (9.4 + 0.9 m)); haze by Angstrom.
     """
     turbidity = np.asarray(turbidity, dtype=np.float64)
-    from pvlib.atmosphere import kasten96_lt
-
     beta = np.maximum(angstrom_beta(turbidity), 0.0)
-    linke: np.ndarray = np.asarray(kasten96_lt(2.0, 2.0, beta * 0.7**-1.3))
+    return kasten_1996(beta * 0.7**-1.3)
+
+
+def kasten_1996(haze_thickness_at_700: np.ndarray, mass: float = 2.0, water: float = 2.0) -> np.ndarray:
+    """Linke's factor of haze of that optical thickness, same shape, at an air mass and `water` cm of vapour.
+
+    Kasten 1996, "The Linke turbidity factor based on improved values of the integral Rayleigh optical thickness", with
+    the clean dry air and the vapour of Molineaux, Ineichen and O'Neill 1998.
+    """
+    clean_dry, vapour = -0.101 + 0.235 * mass**-0.16, 0.112 * mass**-0.55 * water**0.34
+    linke: np.ndarray = (9.4 + 0.9 * mass) * (clean_dry + vapour + haze_thickness_at_700)
     return linke
 
 
 def from_linke(linke: Any) -> np.ndarray:
     """Turbidity whose haze gives Linke's factor at air mass 2 with 2 cm of water, same shape, at least 1.
 
-    By Kasten's relation between Linke's factor and the haze's thickness at 700 nm (pvlib's `kasten96_lt`) and
-    Angstrom's formula with A.1's beta. A rule of thumb found in many programs, T = Linke, is 0-2 too high.
+    By Kasten's relation between Linke's factor and the haze's thickness at 700 nm (`kasten_1996`) and Angstrom's
+    formula with A.1's beta. A rule of thumb found in many programs, T = Linke, is 0-2 too high.
 
     >>> from_linke(linke_of([2.0, 5.0])).round(9).tolist()
     [2.0, 5.0]
@@ -89,12 +98,8 @@ def from_linke(linke: Any) -> np.ndarray:
     linke = np.asarray(linke, dtype=np.float64)
     if not (linke > 0).all():
         raise ValueError(f"Linke's factor must be positive, got {linke.min():g}")
-    low, high = np.full(linke.shape, 1.0), np.full(linke.shape, 60.0)
-    for _ in range(60):
-        middle = (low + high) / 2
-        above = linke_of(middle) > linke
-        low, high = np.where(above, low, middle), np.where(above, middle, high)
-    found: np.ndarray = (low + high) / 2
+    clean, hazier = linke_of([1.0, 2.0])  # a straight line
+    found: np.ndarray = np.maximum(1 + (linke - clean) / (hazier - clean), 1.0)
     return found
 
 
@@ -110,8 +115,8 @@ def of_place(latitude: float, longitude: float, month: int) -> float:
         raise ValueError(f"month must be a whole number in [1, 12], got {month}")
     if not (-90 <= latitude <= 90 and -180 <= longitude <= 180):
         raise ValueError(f"latitude and longitude must lie in [-90, 90] and [-180, 180], got {latitude}, {longitude}")
+    pvlib = required("pvlib", "weather", "the climatology of Linke's factor")
     import pandas as pd
-    import pvlib
 
     time = pd.DatetimeIndex([pd.Timestamp(2021, int(month), 15)])
     linke = pvlib.clearsky.lookup_linke_turbidity(time, latitude, longitude, interp_turbidity=False)

@@ -15,6 +15,7 @@ from skydome.captures.level_probe import LevelProbe
 from skydome.captures.sky_mask import read_mask, sky_mask
 from skydome.captures.stored_layout import stated_layout
 from skydome.captures.sun_finding import find_sun, sun_pixels
+from skydome.ground.extras import required
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.fisheye import Equidistant, Equisolid, Fisheye
@@ -136,6 +137,7 @@ def read_captures(
     then being taken as turned to true north; else it is found in the picture. `name.mask.png` beside a map says where
     it shows sky; without it the sky is segmented. ValueError, in one line, for what does not fit.
     """
+    required("scipy", "captures", "a day of captures")
     projection = layout_named(layout)
     files = map_files(Path(folder))
     pictures = [load(path, projection=as_stored(path, projection)) for path in files]

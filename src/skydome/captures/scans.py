@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.directions import angle_between, azimuth, direction, elevation
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.light.colour import SRGB, rgb_from_xyz
 
@@ -75,8 +76,7 @@ def read_scans(path: str | PathLike[str], from_sun: float = 0.0) -> list[Scan]:
     direction), `direction_zenith` (direction), degrees; `sample_time`. Azimuths must already be corrected. Samples
     within `from_sun` radians of the sun are left out. ValueError where a variable is missing.
     """
-    from scipy.io import netcdf_file
-
+    netcdf_file = required("scipy.io", "captures", "measured scans").netcdf_file
     with netcdf_file(str(path), "r", mmap=False) as file:
         names = (
             "xyz",

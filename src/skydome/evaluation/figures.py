@@ -6,6 +6,7 @@ import numpy as np
 
 from skydome.evaluation.evaluation import BAND, Comparison, measured_xyz
 from skydome.figures.skies import on_disc
+from skydome.ground.extras import required
 from skydome.maps.projections import Fisheye
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ SIDE = 121
 
 def new_figure(width: float, height: float) -> "Figure":
     """An empty figure of a size in inches."""
+    required("matplotlib", "plot", "a figure")
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

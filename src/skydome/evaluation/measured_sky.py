@@ -11,6 +11,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array
 from skydome.ground.directions import angle_between, direction
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.sun.place import Place
 from skydome.sun.position import sun_direction
@@ -57,8 +58,7 @@ class MeasuredSky:
     @classmethod
     def from_netcdf(cls, path: Path) -> "MeasuredSky":
         """The sky in a compact netCDF-3 file."""
-        from scipy.io import netcdf_file
-
+        netcdf_file = required("scipy.io", "fit", "a measured sky in netCDF").netcdf_file
         try:
             with netcdf_file(path, "r", mmap=False) as stored:
                 held = {name: np.array(variable[:]) for name, variable in stored.variables.items()}

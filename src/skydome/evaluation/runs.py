@@ -8,6 +8,7 @@ import numpy as np
 from skydome.evaluation.evaluation import Comparison, compared
 from skydome.evaluation.measured_sky import MeasuredSky
 from skydome.evaluation.models import EvaluatedModel, distance_of, fitted, model_of, models
+from skydome.ground.extras import required
 
 FITS = ("no", "all", "half", "each")
 
@@ -41,6 +42,8 @@ def evaluated(sky: MeasuredSky, names: list[str], fit: str = "no") -> list[Run]:
     """The runs of the named models (`all`: every one). ValueError for a name or a way of fitting that is not known."""
     if fit not in FITS:
         raise ValueError(f"fit must be one of {', '.join(FITS)}, got {fit!r}")
+    if fit != "no":
+        required("scipy", "fit", "a fit to measured skies")
     distance = distance_of(sky)
     chosen = list(models(distance)) if names == ["all"] else names
     return [run(model_of(name, distance), sky, fit) for name in chosen]

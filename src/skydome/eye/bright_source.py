@@ -6,6 +6,7 @@ import numpy as np
 
 from skydome.eye.linked_groups import linked
 from skydome.ground.directions import angle_between, tangent_frame, unit
+from skydome.ground.extras import required
 from skydome.light.colour import RGBSpace, rgb_from_xyz
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.resample import SUN_CONTRAST, without_suns
@@ -47,6 +48,7 @@ def without_sources(
     A source is what stands out `contrast` times from its surroundings. The light of map and sources together is the
     map's own, exactly. A source smaller than a texel counts as large as the sun.
     """
+    required("scipy", "eye", "finding the suns of a map")
     _, row, column = without_suns(environment.pixels, contrast)
     if not row.size:
         return environment, []

@@ -15,6 +15,7 @@ from skydome.eye.linked_groups import linked_pixels
 from skydome.eye.point_spread import AGES, stiles_holladay
 from skydome.eye.view import HalfSphere
 from skydome.ground.directions import angle_between
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 
@@ -166,6 +167,7 @@ def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: fl
     >>> round(seen.illuminance), round(seen.probability, 3), len(seen.sources)
     (3142, 0.343, 0)
     """
+    required("scipy", "eye", "glare")
     if side < 100:
         raise ValueError(f"side of the round picture must be at least 100 pixels, got {side}")
     frame, weights = HalfSphere(azimuth, elevation, side), environment.space.to_xyz[1]

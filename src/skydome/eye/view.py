@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.directions import direction
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
@@ -87,11 +88,10 @@ def blended_texels(environment: EnvironmentMap) -> Callable[[np.ndarray], np.nda
 
     The quick form is for equirectangular maps: a texel more on each side, led over the seam and the poles.
     """
-    from scipy.ndimage import map_coordinates
-
     projection, pixels = environment.projection, environment.pixels
     if not isinstance(projection, Equirectangular):
         return environment.sample
+    map_coordinates = required("scipy.ndimage", "eye", "a view of a map").map_coordinates
     half = pixels.shape[1] // 2
     poles = [np.roll(pixels[:1], half, axis=1), pixels, np.roll(pixels[-1:], half, axis=1)]
     framed = np.pad(np.concatenate(poles), ((0, 0), (1, 1), (0, 0)), mode="wrap").astype(np.float32)

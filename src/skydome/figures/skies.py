@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from skydome.ground.extras import required
 from skydome.ground.writing import appearing
 from skydome.maps.projections import Fisheye
 from skydome.skies.sky import Sky
@@ -35,6 +36,7 @@ def sky_figure(sky: Sky, sun: Any = None, path: SunPath | None = None, title: st
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['', 'luminance, cd m⁻²']
     """
+    required("matplotlib", "plot", "a figure")
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.extras import required
 from skydome.maps.projections import Fisheye
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ def year_figure(data: "xarray.Dataset", title: str = "") -> "Figure":
     Global and diffuse horizontal illuminance; hours without data stay grey. In the domes north is up and east at the
     left, as one sees the sky looking up; mean luminance over the hours in which the sun is up, log false colour.
     """
+    required("matplotlib", "plot", "a figure")
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

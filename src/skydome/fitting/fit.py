@@ -11,6 +11,7 @@ from skydome.fitting.determination import centred, degenerate_names, errors_by_n
 from skydome.fitting.samples import Samples, samples_of
 from skydome.fitting.starting import starts
 from skydome.fitting.unknowns import Problem
+from skydome.ground.extras import required
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.sky import Sky
 
@@ -189,6 +190,7 @@ def fit(
     >>> round(found.parameters["turbidity"], 4), round(float(sd.azimuth(found.parameters["sun"])), 4)
     (3.3, 2.0)
     """
+    required("scipy", "fit", "a fit")
     problem = Problem.of(model, free, initial)
     samples = samples_of(directions, observed, mask, weights, space)
     count, unknown = int(samples.used.sum()), len(problem.numbers)

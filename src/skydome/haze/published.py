@@ -12,6 +12,7 @@ import numpy as np
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import Array, floating, namespace
+from skydome.ground.extras import required
 from skydome.haze.integrals import (
     Coefficients,
     FewNodes,
@@ -96,8 +97,7 @@ class AdaptiveQuadrature(Integration):
 
     def integrals(self, ray: Ray, air: Coefficients) -> tuple[Array, Array]:
         """I1 and I2, m, each (..., C), float64."""
-        from scipy.integrate import quad_vec
-
+        quad_vec = required("scipy.integrate", "fit", "AdaptiveQuadrature").quad_vec
         ray = Ray(*np.broadcast_arrays(*(np.asarray(part, dtype=np.float64) for part in ray)))
         rough = np.stack(FewNodes(8).integrals(ray, air))
         scale = np.where(rough > 0, rough, 1.0)

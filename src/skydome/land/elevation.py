@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 
 METRES_A_DEGREE = 111_195.0
@@ -54,8 +55,7 @@ class Elevation:
 
     def refined(self, times: int) -> "Elevation":
         """The same land on a grid `times` finer, by a cubic spline: smooth slopes, no new detail. Needs scipy."""
-        from scipy.ndimage import zoom
-
+        zoom = required("scipy.ndimage", "terrain", "a finer grid of heights").zoom
         rows, columns = self.heights.shape
         shape = ((rows - 1) * times + 1, (columns - 1) * times + 1)
         fine = zoom(self.heights.astype(np.float64), (shape[0] / rows, shape[1] / columns), order=3, mode="nearest")
@@ -149,10 +149,7 @@ def read_geotiff(path: Path, unit: str | None, cells: int) -> Elevation:
     """A GeoTIFF's first band, with the horizontal and vertical units that it states."""
     import warnings
 
-    try:
-        import rasterio
-    except ImportError as error:
-        raise ImportError("reading GeoTIFF needs rasterio: pip install skydome[terrain]") from error
+    rasterio = required("rasterio", "terrain", "reading GeoTIFF")
     from rasterio.errors import NotGeoreferencedWarning, RasterioIOError
 
     with warnings.catch_warnings():

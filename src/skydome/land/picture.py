@@ -12,6 +12,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.eye.view import Camera
 from skydome.ground import exr, png
 from skydome.ground.directions import direction, unit
+from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.ground.units import EARTH_RADIUS
@@ -89,6 +90,7 @@ def render_terrain(
     are finished. Beyond the map lies flat ground of the mean albedo at its lowest height, from which `air` measures
     heights. Needs Numba.
     """
+    required("numba", "terrain", "a terrain picture")
     from skydome.land.picture_kernel import picture_rows
     from skydome.land.rays_kernel import height_at
 

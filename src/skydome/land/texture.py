@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.extras import required
 from skydome.land.elevation import Elevation, Extent
 from skydome.light.colour import SRGB, decode_srgb
 
@@ -91,10 +92,7 @@ def from_picture(path: Path, _: Extent | None) -> tuple[np.ndarray, np.ndarray, 
 
 def from_geotiff(path: Path, extent: Extent | None) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
     """The same of a .tif, laid onto `extent` if both have a georeference."""
-    try:
-        import rasterio
-    except ImportError as error:
-        raise ImportError("reading GeoTIFF needs rasterio: pip install skydome[terrain]") from error
+    rasterio = required("rasterio", "terrain", "reading GeoTIFF")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
         warnings.simplefilter("ignore", PendingDeprecationWarning)  # rasterio 1.4 multiplies transforms of affine 3

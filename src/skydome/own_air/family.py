@@ -10,6 +10,7 @@ import numpy as np
 
 from skydome.air.cross_sections import solar_irradiance
 from skydome.ground.directions import direction
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
 from skydome.own_air.refit import Views
@@ -65,8 +66,7 @@ class SkyFamily:
 
         ValueError for what is no such store, and where it is not finished.
         """
-        import zarr
-
+        zarr = required("zarr", "scale", "a store of simulated skies")
         if not Path(path).is_dir():
             raise FileNotFoundError(f"the store of simulated skies must be a folder, got {path}")
         try:

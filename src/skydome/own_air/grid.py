@@ -20,6 +20,7 @@ from skydome.air.constituents import Aerosol
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
+from skydome.ground.extras import required
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 
 FORM = 2
@@ -157,6 +158,10 @@ def simulate(
     `scheduler` is the address of a Dask scheduler whose workers see the same files. `progress(done, of)` is called
     after each piece.
     """
+    required("nanodisort", "rt", "a simulation")
+    required("zarr", "scale", "a simulation")
+    if scheduler is not None or workers:
+        required("distributed", "scale", "a simulation by many workers")
     path = Path(path)
     prepared(grid, path)
     missing = [piece for piece in grid.pieces if not is_there(path, piece)]

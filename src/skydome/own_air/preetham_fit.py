@@ -13,6 +13,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
+from skydome.ground.extras import required
 from skydome.light.spectrum import xyz_weights
 from skydome.own_air.family import SkyFamily
 from skydome.skies.formula.perez_formula import evaluate, from_perez, view_geometry
@@ -35,6 +36,7 @@ def preetham_fit(family: SkyFamily, albedo: float = 0.0) -> PreethamNumbers:
     Differences are relative, weighted by solid angle, alike for all skies. ValueError for fewer than three turbidities
     or four suns, for a spectrum without all of 400-700 nm, and for light that is not positive.
     """
+    required("scipy", "fit", "the fit of Preetham's numbers")
     t, e, w = family.turbidities, family.elevations, family.wavelengths
     if t.size < 3 or e.size < 4 or w[0] > 400 or w[-1] < 700:
         raise ValueError(f"three turbidities, four suns and 400-700 nm are needed, got {t.size} turbidities, {e.size} "

@@ -13,6 +13,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
+from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import deg
 from skydome.skies.formula.perez_formula import view_geometry
@@ -57,6 +58,7 @@ def refitted(
     `progress(done, of)` is called after each sun. About 0.05 s for each sun and wavelength.
     """
     heights, bands, views = np.asarray(elevations), np.asarray(wavelengths, dtype=np.float64), Views.half()
+    required("scipy", "fit", "the refit of the nine numbers")
     sets, errors = [], []
     before: list[Any] = [None] * bands.size
     for k, height in enumerate(heights[::-1]):

@@ -9,6 +9,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
+from skydome.ground.extras import required
 from skydome.light.spectrum import Spectrum
 from skydome.skies.sky import Sky
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
@@ -224,21 +225,16 @@ class MeshPoint(Surroundings):
 
 
 def trimesh_library() -> Any:
-    """The trimesh module; ImportError that says how to get it."""
-    try:
-        import trimesh
-    except ImportError as error:
-        raise ImportError('scenes of triangles need trimesh and embreex: pip install "skydome[scene]"') from error
-    return trimesh
+    """The trimesh module; ImportError where it or Embree is missing."""
+    required("embreex", "scene", "a scene of triangles")
+    return required("trimesh", "scene", "a scene of triangles")
 
 
 def ray_caster(vertices: np.ndarray, faces: np.ndarray) -> Any:
     """A function (origins (K, 3), directions (K, 3)) -> number of the triangle met first or -1, (K,); Embree's rays."""
     trimesh = trimesh_library()
-    try:
-        from trimesh.ray.ray_pyembree import RayMeshIntersector
-    except ImportError as error:
-        raise ImportError('rays need embreex: pip install "skydome[scene]"') from error
+    from trimesh.ray.ray_pyembree import RayMeshIntersector
+
     tracer = RayMeshIntersector(trimesh.Trimesh(vertices, faces, process=False), scale_to_box=False)
 
     def first_met(origins: np.ndarray, directions: np.ndarray) -> np.ndarray:

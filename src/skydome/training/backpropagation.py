@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.ground.extras import required
 from skydome.skies.neural.network import RationalOutput
 from skydome.training.levenberg_marquardt import Layers
 from skydome.training.losses import TargetLoss
@@ -26,6 +27,7 @@ class Backpropagation(Method):
             raise TypeError("back-propagation trains one hidden layer with rational output and the target loss only")
         if not isinstance(recipe.loss, TargetLoss):
             raise TypeError(f"back-propagation trains the target loss only, got {type(recipe.loss).__name__}")
+        required("numba", "fast", "back-propagation")
         from skydome.training.backpropagation_kernel import epoch
 
         epochs, layers, moments = begun(task)

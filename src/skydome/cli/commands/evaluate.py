@@ -7,6 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.options import AsJson
 from skydome.cli.printing import busy, print_json
+from skydome.ground.extras import required
 
 COLUMNS = {
     "error": "error",
@@ -39,6 +40,8 @@ def evaluate(
     from skydome.evaluation.measured_sky import MeasuredSky
     from skydome.evaluation.runs import evaluated
 
+    if figures is not None:
+        required("matplotlib", "plot", "a figure")
     sky = MeasuredSky.open(measured)
     if not 0 <= scan < len(sky):
         raise ValueError(f"scan must lie in [0, {len(sky) - 1}], got {scan}")

@@ -7,6 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show
+from skydome.ground.extras import required
 
 if TYPE_CHECKING:
     from skydome.own_air.family import SkyFamily
@@ -41,6 +42,7 @@ def fit(
     for name, value, high in (("--lowest", lowest, 89.0), ("--albedo", albedo, 1.0)):
         if not 0 <= value <= high:
             raise ValueError(f"{name} must lie in [0, {high:g}], got {value:g}")
+    required("scipy", "fit", "a fit")
     family = SkyFamily.from_store(store, lowest * deg)
     facts = tables_facts(family, output) if form == "hosek-wilkie" else numbers_facts(family, output, albedo)
     show(facts, {name: told(value) for name, value in facts.items()}, as_json)

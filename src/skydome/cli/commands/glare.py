@@ -7,6 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
+from skydome.ground.extras import required
 
 if TYPE_CHECKING:
     from skydome.eye.eye import Eye, Seen
@@ -59,6 +60,7 @@ def glare(
     frame = Camera(azimuth * deg, elevation * deg, fov * deg, size)
     require_view_of_glare(frame)
     refuse_picture(output, exposure)
+    required("scipy", "eye", "glare")
     environment = bright_map(source, target, white)
     numbers_of_glare = measured(environment, frame.azimuth, frame.elevation, age)
     facts = glare_facts(numbers_of_glare) | {"source": str(source), "view_deg": [azimuth, elevation], "fov_deg": fov}

@@ -12,6 +12,7 @@ from skydome.cli.numbers_of_light import light_facts, notes_row, parameters_text
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import print_json, print_table
 from skydome.cli.scene import scene_of
+from skydome.ground.extras import required
 
 PATH_STEP = timedelta(minutes=5)
 
@@ -25,6 +26,7 @@ def plot(
     """Plot the sky's luminance looking up: north up, east at the left; with the sun's path of the day."""
     from skydome.figures.skies import save_figure, sky_figure
 
+    required("matplotlib", "plot", "a plot")
     scene = scene_of(options)
     moment = scene.moment
     path = None if moment is None else day_path(moment)

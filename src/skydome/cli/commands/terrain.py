@@ -8,6 +8,7 @@ from typer import Argument, Option
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
+from skydome.ground.extras import required
 
 
 @taking(SkyOptions)
@@ -44,6 +45,7 @@ def terrain(
     from skydome.light.colour import SRGB
 
     refuse_picture(output, exposure)
+    required("numba", "terrain", "a terrain picture")
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)
     land, scene = read_elevation(land_file, vertical_unit), scene_of(options)

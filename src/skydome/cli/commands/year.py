@@ -8,8 +8,10 @@ from typer import Argument, Option
 
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import busy, print_json, print_table
+from skydome.ground.extras import required
 
-ENDINGS = (".zarr", ".nc", ".mtx")
+ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
+"""Endings of the file to write, and the library that each needs."""
 
 
 def year(
@@ -40,10 +42,12 @@ def year(
     choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
     check_output(output)
+    check_extras(output, plot)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if weather.suffix.lower() == ".csv" and is_sites(weather):
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
+            required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
         else:
             facts = single(weather, choices, output, ascii_text, sun_in_patch, suns, plot)
@@ -64,6 +68,15 @@ def check_output(output: Path | None) -> None:
         raise ValueError(f"-o must end in {', '.join(ENDINGS)}, got {output.name!r}")
     if output is not None and not output.absolute().parent.is_dir():
         raise FileNotFoundError(f"the folder to write to must exist, got {output.absolute().parent}")
+
+
+def check_extras(output: Path | None, plot: Path | None) -> None:
+    """ImportError, before any work, for what the files to write need."""
+    required("xarray", "year", "a year of skies")
+    if output is not None:
+        required(ENDINGS[output.suffix], "year", f"a year as {output.suffix}")
+    if plot is not None:
+        required("matplotlib", "plot", "a plot")
 
 
 def steps(text: str) -> list[float]:

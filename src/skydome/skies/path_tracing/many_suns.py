@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arrays import Array
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.sky import PathTraced
@@ -41,6 +42,7 @@ def many_suns(
     3). `paths` for each ring and wavelength. Without next-event estimation: for tests and for air that has no aimed
     light; over 1000 times slower than `PathTraced` itself. The sun's disc is not seen directly.
     """
+    required("numba", "fast", "many_suns")
     from skydome.skies.path_tracing.many_suns_kernel import hits
 
     require("radius", radius, Range(1e-3, 0.2, "rad"))

@@ -11,6 +11,7 @@ import numpy as np
 from skydome.air.rays import ColumnTable
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
+from skydome.ground.extras import required
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
@@ -156,10 +157,8 @@ class TracingJob:
 
     def one_pass(self, number: int) -> Array:
         """The mean of one pass's paths, sr-1, (D, W)."""
-        try:
-            from skydome.skies.path_tracing.loop_kernel import trace_all
-        except ImportError as error:
-            raise ImportError('PathTraced needs numba: pip install "skydome[fast]"') from error
+        from skydome.skies.path_tracing.loop_kernel import trace_all
+
         sky = self.sky
         sun, views = np.asarray(sky.sun, dtype=np.float64), np.ascontiguousarray(self.directions, dtype=np.float64)
         paths = sky.paths_per_pass * self.wavelengths.size
@@ -218,6 +217,7 @@ class PathTraced(AtmosphereSky):
 
     def job(self, directions: Array, wavelengths: Any) -> TracingJob:
         """The tracing of directions (D, 3) at wavelengths (W,), to be run, stored and merged by hand."""
+        required("numba", "fast", "PathTraced")
         return TracingJob(self, np.asarray(directions, dtype=np.float64), checked_wavelengths(wavelengths))
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:

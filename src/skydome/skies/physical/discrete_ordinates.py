@@ -15,6 +15,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
+from skydome.ground.extras import required
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.layers import Layers, layered
@@ -165,10 +166,7 @@ def solved(
     layers: Layers, albedo: np.ndarray, cos_sun: float, cosines: np.ndarray, azimuths: np.ndarray, streams: int
 ) -> Array:
     """CDISORT's light at the ground for a sun of irradiance 1, sr-1, shape (view angles, azimuths, W)."""
-    try:
-        import nanodisort
-    except ImportError as error:
-        raise ImportError('DiscreteOrdinates needs nanodisort: pip install "skydome[rt]"') from error
+    nanodisort = required("nanodisort", "rt", "DiscreteOrdinates")
     light = np.empty((len(cosines), len(azimuths), layers.wavelengths.size))
     depth, share, moments = layers.scaled_depth, layers.scaled_share, layers.scaled_moments
     for w in range(layers.wavelengths.size):

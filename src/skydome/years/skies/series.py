@@ -8,6 +8,7 @@ import numpy as np
 from skydome.dome.patches import Patches
 from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
+from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Clear, Weathered, add_colour, add_spectrum
@@ -60,6 +61,7 @@ def year(
     >>> bool(np.allclose(skies.luminance @ skies.horizontal_solid_angle, skies.diffuse_horizontal_illuminance))
     True
     """
+    required("xarray", "year", "a year of skies")
     if model != "perez":
         raise ValueError(f'model must be "perez", got {model!r}')
     if compat not in COMPATS:

@@ -8,6 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from skydome.ground.extras import required
 from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
 from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import SunTrack
@@ -95,6 +96,7 @@ def run_sites(
     Sites that are done already are left; a worker that dies has its sites done again by another. Every site's numbers
     are the same, whoever computes them. `progress(done, total)` is called as sites come in.
     """
+    required("dask.distributed", "scale", "the years of many sites")
     from dask.distributed import Client, LocalCluster, as_completed
 
     group = open_store(store, sites, choices)

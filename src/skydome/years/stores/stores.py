@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.extras import required
 from skydome.ground.writing import appearing
 from skydome.years.skies.series import year
 from skydome.years.weather.plausibility import warn_of_wrong_place
@@ -29,6 +30,7 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
     """
     final = Path(path)
     if final.suffix == ".nc":
+        required("h5netcdf", "year", "a year as .nc")
         # In memory first: on a full disk libhdf5 does not only fail, it takes the process with it.
         content = data.to_netcdf(engine="h5netcdf", encoding={"luminance": {"zlib": True, "complevel": 1}})
         with appearing(final) as beside:
@@ -36,6 +38,7 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
         return
     if final.suffix != ".zarr":
         raise ValueError(f"a year must be written as .zarr or .nc, got {final.name!r}")
+    required("zarr", "year", "a year as .zarr")
     with store_appearing(final) as beside:
         data.to_zarr(beside, mode="w-")
 
@@ -46,6 +49,7 @@ def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: i
     About `values_at_once` float32 numbers are held of the largest variable. ValueError for compat="gendaymtx", whose
     dew points look back.
     """
+    required("zarr", "year", "a year as .zarr")
     if choices.get("compat") == "gendaymtx":
         raise ValueError('compat="gendaymtx" is written whole: use year(...) and write_dataset')
     wavelengths = choices.get("wavelengths")

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.extras import required
 from skydome.sun.place import Place
 from skydome.sun.times import instants
 from skydome.years.weather.calendar import Label, calendar_year, interval, local_minutes, month_day_hour, usual_step
@@ -23,8 +24,7 @@ NAMES = {
 
 def read_tmy3(path: str | PathLike[str], year: int | None = None) -> Weather:
     """The weather of a TMY3 file (.csv), by pvlib; -9900 and below are missing."""
-    from pvlib.iotools import read_tmy3 as read
-
+    read = required("pvlib.iotools", "weather", "a TMY3 file").read_tmy3
     name = Path(path).name
     try:
         frame, facts = read(path, coerce_year=None, map_variables=True)
@@ -39,8 +39,7 @@ def read_tmy3(path: str | PathLike[str], year: int | None = None) -> Weather:
 
 def read_tm2(path: str | PathLike[str], year: int | None = None) -> Weather:
     """The weather of a TM2 file, by pvlib."""
-    from pvlib.iotools import read_tmy2 as read
-
+    read = required("pvlib.iotools", "weather", "a TM2 file").read_tmy2
     name = Path(path).name
     try:
         with warnings.catch_warnings():
