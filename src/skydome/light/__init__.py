@@ -3,5 +3,6 @@
 - spectrum            Spectra and the CIE 1931 observer: from samples over wavelength to XYZ with Y in cd m-2
 - colour              Colour: CIE xyY, XYZ and linear or encoded RGB of the spaces in which sky images are kept
 - colour_temperature  Colour temperature: Planck's law, the nearest black body to a colour, and the distance to it
+- irradiance          Measured irradiances of sun and sky: their limits and the reasons
 - daylight            Daylight: the spectrum of the CIE D series that has a given colour and luminance
 """

@@ -17,6 +17,7 @@ from skydome.ground.arrays import Array, at_least, constant, floating, limited, 
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.ground.units import SOLAR_CONSTANT
+from skydome.light.irradiance import GREATEST_IRRADIANCE
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.level import levelled
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, from_perez
@@ -92,8 +93,8 @@ class PerezAllWeather(LuminanceFormulaSky):
     dew_point: Any = 11.0
     compat: Compat = field(default="paper", kw_only=True)
     ranges: ClassVar = {
-        "direct_normal_irradiance": Range(0.0, 2000.0, "W m-2"),
-        "diffuse_horizontal_irradiance": Range(0.0, 2000.0, "W m-2"),
+        "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
+        "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "extraterrestrial_irradiance": Range(1.0, 2000.0, "W m-2"),
     }
     source: ClassVar[str] = "Perez, Seals and Michalsky 1993; efficacies Perez et al. 1990"

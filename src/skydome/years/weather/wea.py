@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground.directions import zenith_angle
-from skydome.ground.units import SOLAR_CONSTANT, deg
+from skydome.ground.units import SOLAR_CONSTANT
 from skydome.ground.writing import appearing
+from skydome.light.irradiance import normal_from_horizontal
 from skydome.sun.place import Place
 from skydome.years.gendaymtx.conditions import SOLAR_LIGHT_CONSTANT, irradiances_of
 from skydome.years.weather.calendar import (
@@ -97,9 +98,9 @@ def with_illuminances(weather: Weather, direct: np.ndarray, diffuse: np.ndarray)
 
 
 def with_normal_direct(weather: Weather) -> Weather:
-    """Direct irradiance on the horizontal turned into direct normal by the sun's elevation, of 1 degree at least."""
+    """Direct irradiance on the horizontal turned into direct normal by the sun's elevation."""
     sine = lit_sun(weather).directions[:, 2]
-    return replace(weather, direct_normal=weather.direct_normal / np.maximum(sine, np.sin(1 * deg)))
+    return replace(weather, direct_normal=normal_from_horizontal(weather.direct_normal, sine))
 
 
 def write_wea(weather: Weather, path: str | PathLike[str]) -> None:

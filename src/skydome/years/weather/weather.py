@@ -6,11 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
 from skydome.years.weather.calendar import Label
-
-LEAST_IRRADIANCE, GREATEST_IRRADIANCE = -10.0, 2000.0
-"""Irradiances outside are refused, W m-2; those from -10 to 0 are sensor offsets and count as 0."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,13 +37,7 @@ class Weather:
         if len(self.start) == 0:
             raise ValueError(f"weather must have at least one row of data, got none{self.where}")
         for name in ("direct_normal", "diffuse_horizontal"):
-            value = getattr(self, name)
-            wrong = np.flatnonzero((value < LEAST_IRRADIANCE) | (value > GREATEST_IRRADIANCE))
-            if wrong.size:
-                raise ValueError(
-                    f"{name} must lie in [{LEAST_IRRADIANCE:g}, {GREATEST_IRRADIANCE:g}] W m-2, got "
-                    f"{value[wrong[0]]:g} in row {wrong[0] + 1} of the data{self.where}"
-                )
+            require_irradiances(getattr(self, name), name, self.where)
         steps = np.diff(self.middle.astype(np.int64))
         if (steps <= 0).any():
             row = int(np.flatnonzero(steps <= 0)[0]) + 2
@@ -90,7 +82,7 @@ class Weather:
         """Direct normal and diffuse horizontal, W m-2, with 0 for negative ones and for missing hours, each (T,)."""
         known = ~self.missing
         direct, diffuse = (np.where(known, value, 0.0) for value in (self.direct_normal, self.diffuse_horizontal))
-        return np.maximum(direct, 0.0), np.maximum(diffuse, 0.0)
+        return without_offsets(direct), without_offsets(diffuse)
 
     def at(self, place: Place) -> "Weather":
         """The same weather at another place (to put right a wrong sign)."""
