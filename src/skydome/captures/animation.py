@@ -10,6 +10,7 @@ from skydome.captures.captures import Capture
 from skydome.captures.interpolation import day_light
 from skydome.ground.directions import angle_between, azimuth, direction, elevation
 from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.projection import texel_centre
 from skydome.skies.neural.network import Network
 
 BLEND = np.radians(8.0)
@@ -142,7 +143,7 @@ class Animation:
         j = (int(column) + np.arange(-across, across)) % columns
         if not i.size or sun[2] <= 0:
             return
-        toward = projection.toward(i[:, None] + 0.5, j[None, :] + 0.5, self.height)
+        toward = projection.toward(texel_centre(i[:, None]), texel_centre(j[None, :]), self.height)
         spot = np.maximum(1 - (angle_between(toward, sun) / width) ** 2, 0) ** 2
         flux = spot * np.broadcast_to(projection.solid_angles(self.height), (rows, columns))[i[:, None], j]
         risen = float(np.clip(elevation(sun) / SETTING, 0, 1))

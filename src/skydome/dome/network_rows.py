@@ -13,6 +13,7 @@ from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.projection import texel_centre
 from skydome.skies.formula.fast import shared
 from skydome.skies.neural.fast import (
     LEAST_DIRECTIONS,
@@ -52,14 +53,14 @@ def map_columns(network: Folded, projection: Equirectangular, height: int) -> tu
         turn = symmetric.turn[0]
         return np.stack([turn, 0 * turn, 0 * turn]), symmetric.segments
     width = 2 * height
-    angles = projection.azimuths(np.arange(width) + 0.5, height)
+    angles = projection.azimuths(texel_centre(np.arange(width)), height)
     turn = 2 * np.sin((angles - float(azimuth(network.sun))) / 2) ** 2
     return np.stack([turn, np.sin(angles), np.cos(angles)]), np.array([(0, width, 0, -1)])
 
 
 def row_numbers(network: Folded, height: int, rows: range) -> tuple[np.ndarray, np.ndarray]:
     """Of each row above the horizon: cos t (r,), and 1 - cos(t - ts), sin t sin ts, sin t (r, 3)."""
-    zenith = np.pi * (np.arange(rows.start, rows.stop) + 0.5) / height
+    zenith = np.pi * texel_centre(np.arange(rows.start, rows.stop)) / height
     sun = float(zenith_angle(network.sun))
     level = np.sin(zenith)
     return np.sin(np.pi / 2 - zenith), np.stack([2 * np.sin((zenith - sun) / 2) ** 2, level * np.sin(sun), level], -1)

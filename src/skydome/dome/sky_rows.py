@@ -13,6 +13,7 @@ import numpy as np
 
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.projection import texel_centre
 from skydome.skies.formula.fast import Light, prepared, shared, smaller_with
 from skydome.skies.formula.perez_formula import C, D, I, R, evaluate, gradation
 
@@ -68,7 +69,7 @@ def symmetric_columns(doubled: int, width: int) -> Columns:
 
 def row_numbers(light: Light, height: int, rows: range) -> tuple[np.ndarray, np.ndarray]:
     """Of each row above the horizon: cos t (r,), and 1 - cos(t - ts), 1 + cos(t + ts), sin t sin ts (r, 3)."""
-    zenith = np.pi * (np.arange(rows.start, rows.stop) + 0.5) / height
+    zenith = np.pi * texel_centre(np.arange(rows.start, rows.stop)) / height
     sun = float(zenith_angle(light.suns[0]))
     near, far = 2 * np.sin((zenith - sun) / 2) ** 2, 2 * np.cos((zenith + sun) / 2) ** 2
     return np.sin(np.pi / 2 - zenith), np.stack([near, far, np.sin(zenith) * np.sin(sun)], axis=-1)

@@ -9,6 +9,7 @@ from skydome.ground.directions import angle_between, tangent_frame, unit
 from skydome.ground.extras import required
 from skydome.light.colour import RGBSpace, rgb_from_xyz
 from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.projection import texel_centre
 from skydome.maps.resample import SUN_CONTRAST, without_suns
 from skydome.skies.suns.sun_disc import MEAN_RADIUS, SunDisc
 
@@ -53,7 +54,7 @@ def without_sources(
     if not row.size:
         return environment, []
     pixels = environment.pixels.copy()
-    toward = environment.projection.toward(row + 0.5, column + 0.5, environment.height)
+    toward = environment.projection.toward(texel_centre(row), texel_centre(column), environment.height)
     groups = linked(toward, 3 * texel(environment))
     strength = np.bincount(groups, weights=environment.pixels[row, column].sum(axis=-1))
     sources = []
@@ -74,7 +75,7 @@ def taken_out(environment: EnvironmentMap, pixels: np.ndarray, row: np.ndarray, 
     """The source in the texels (n,) of `environment`; they and their neighbours are filled in in `pixels`, in place."""
     projection, height = environment.projection, environment.height
     row, column = with_neighbours(environment, row, column)
-    toward = projection.toward(row + 0.5, column + 0.5, height)
+    toward = projection.toward(texel_centre(row), texel_centre(column), height)
     angles = np.broadcast_to(projection.solid_angles(height), pixels.shape[:2])[row, column]
     rough = pixels[row, column].sum(axis=-1) * angles
     middle = unit(rough @ toward)

@@ -18,6 +18,7 @@ from skydome.ground.directions import angle_between
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.projection import texel_centre
 
 THRESHOLD = 2000.0
 """Luminance, cd m-2, from which a pixel is a source of glare (Pierson 2018, evalglare's default since 2.05)."""
@@ -101,7 +102,7 @@ def glare_sources(luminance: np.ndarray, frame: HalfSphere, threshold: float = T
     angle = frame.solid_angles()[row, column]
     light = luminance[row, column].astype(np.float64) * angle
     size, total = (np.bincount(number, weights=part) for part in (angle, light))
-    down, right = (np.bincount(number, weights=light * (place + 0.5)) for place in (row, column))
+    down, right = (np.bincount(number, weights=light * texel_centre(place)) for place in (row, column))
     found = []
     for k in np.nonzero(size > 0)[0]:
         toward = frame.toward(down[k] / total[k], right[k] / total[k])

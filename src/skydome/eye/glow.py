@@ -11,6 +11,7 @@ from skydome.eye.streaks import Needles, halo_colours
 from skydome.ground.directions import angle_between, tangent_frame
 from skydome.ground.units import deg
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.maps.projection import texel_centre
 
 AFAR = 24.0  # radii of a disc from its middle, where it begins to count as a point
 HALO_ANGLES = np.arange(1.5, 5.0, 0.02) * deg
@@ -132,7 +133,7 @@ class Glow:
         width = pixel_width(toward, shape)
         step = max(1, CHUNK // shape[1])
         for k in range(0, shape[0], step):
-            directions = toward(np.arange(k, min(k + step, shape[0]))[:, None] + 0.5, columns + 0.5)
+            directions = toward(texel_centre(np.arange(k, min(k + step, shape[0]))[:, None]), texel_centre(columns))
             cosine = directions @ source.direction
             if not self.is_bare:
                 picture[k : k + step] = self.at(directions, source)
@@ -149,7 +150,7 @@ class Glow:
     def mean(self, toward: Toward, i: np.ndarray, j: np.ndarray, source: BrightSource, width: float) -> np.ndarray:
         """Mean (n, 3) of the source over each of the pixels (i, j)."""
         count = int(np.clip(np.ceil(8 * width / self.radius), 4, 64))
-        offsets = (np.arange(count) + 0.5) / count
+        offsets = texel_centre(np.arange(count)) / count
         total = np.zeros((i.size, 3))
         for down in offsets:
             total += self.at(toward((i + down)[:, None], j[:, None] + offsets), source).sum(axis=1, dtype=np.float64)

@@ -9,6 +9,7 @@ from skydome.eye.eye import Seen
 from skydome.eye.glow import Glow
 from skydome.eye.view import Camera, require_view_of_glare
 from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.projection import texel_centre
 
 SOFT = 3.0  # pixels over which a ghost's edge falls
 
@@ -77,8 +78,8 @@ class LensFlare:
     def aperture(self, view: Camera, centre: tuple[float, float], size: float) -> np.ndarray:
         """A soft polygon (H, W) float32 about a place, of circumradius `size` in pixels, that integrates to 1 sr^-1."""
         rows, columns = view.shape
-        down = np.arange(rows, dtype=np.float32)[:, None] + np.float32(0.5 - centre[0])
-        right = np.arange(columns, dtype=np.float32)[None, :] + np.float32(0.5 - centre[1])
+        down = np.arange(rows, dtype=np.float32)[:, None] + np.float32(texel_centre(0) - centre[0])
+        right = np.arange(columns, dtype=np.float32)[None, :] + np.float32(texel_centre(0) - centre[1])
         sector = 2 * np.pi / self.blades
         turn = np.mod(np.arctan2(down, right), sector) - sector / 2
         reach = np.hypot(down, right) * np.cos(turn)  # distance along the middle of the polygon's side

@@ -7,6 +7,7 @@ import numpy as np
 from skydome.eye.point_spread import PointSpread, ring_weights, rings
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.projection import texel_centre
 
 ROWS = 256
 """Rows of the map on which the change by scattering is worked out; details below 1.4 degrees keep their light."""
@@ -50,7 +51,7 @@ def legendre(degree: int, cosine: np.ndarray) -> Iterator[np.ndarray]:
 
 def latitude_weights(rows: int) -> np.ndarray:
     """Fejer's weights (rows,) of the integral over the cosine on rows of equal height, exact below degree `rows`."""
-    angle = (np.arange(rows) + 0.5) * np.pi / rows
+    angle = texel_centre(np.arange(rows)) * np.pi / rows
     order = np.arange(1, rows // 2 + 1)
     terms = np.cos(2 * order[:, None] * angle) / (4 * order[:, None] ** 2 - 1)
     weights: np.ndarray = 2 / rows * (1 - 2 * terms.sum(axis=0))
@@ -60,7 +61,7 @@ def latitude_weights(rows: int) -> np.ndarray:
 def filtered(values: np.ndarray, factors: np.ndarray) -> np.ndarray:
     """Equirectangular values (H, W, C) with each degree of their harmonics times its factor, those beyond dropped."""
     rows, columns, _ = values.shape
-    cosine = np.cos((np.arange(rows) + 0.5) * np.pi / rows)
+    cosine = np.cos(texel_centre(np.arange(rows)) * np.pi / rows)
     weights = latitude_weights(rows)
     spectrum = np.fft.rfft(values, axis=1)
     result = np.zeros_like(spectrum)

@@ -13,6 +13,7 @@ from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.projection import texel_centre
 
 PIXELS = 16384
 FIELDS_OF_VIEW = (1.0, 150.0)
@@ -67,17 +68,17 @@ class Frame(ABC):
     def directions(self, first: int = 0, last: int | None = None) -> np.ndarray:
         """Unit vectors at the pixel centres of rows first..last, all by default, shape (R, W, 3)."""
         rows, columns = self.shape
-        row = np.arange(first, rows if last is None else last)[:, None] + 0.5
-        return self.toward(row, np.arange(columns)[None, :] + 0.5)
+        row = texel_centre(np.arange(first, rows if last is None else last)[:, None])
+        return self.toward(row, texel_centre(np.arange(columns)[None, :]))
 
     def seen(self, environment: EnvironmentMap) -> np.ndarray:
         """Linear RGB of the map at each pixel centre, (H, W, 3) float32, (1, 1, 1) being 1 cd m-2."""
         look = blended_texels(environment)
         picture = np.empty((*self.shape, 3), dtype=np.float32)
         step = max(1, CHUNK // self.shape[1])
-        column = np.arange(self.shape[1])[None, :] + 0.5
+        column = texel_centre(np.arange(self.shape[1])[None, :])
         for k in range(0, self.shape[0], step):
-            row = np.arange(k, min(k + step, self.shape[0]))[:, None] + 0.5
+            row = texel_centre(np.arange(k, min(k + step, self.shape[0]))[:, None])
             picture[k : k + step] = look(self.toward(row, column))
         picture *= environment.white_luminance
         return picture
@@ -101,6 +102,7 @@ def blended_texels(environment: EnvironmentMap) -> Callable[[np.ndarray], np.nda
         row, column, _ = projection.pixels(directions, pixels.shape[0])
         seen = np.empty((*row.shape, 3), dtype=np.float32)
         for channel, plane in enumerate(planes):
+            # from the first centre: - .5; a texel more on each side: + 1
             map_coordinates(plane, [row + 0.5, column + 0.5], output=seen[..., channel], order=1)
         return seen
 
@@ -174,7 +176,7 @@ class Camera(Frame):
     def solid_angles(self) -> np.ndarray:
         """Solid angle of each pixel, sr, (H, W): pixel area x cos^3, right within pixel^2 / 4."""
         rows, columns = self.shape
-        x, y = self.plane(np.arange(rows)[:, None] + 0.5, np.arange(columns)[None, :] + 0.5)
+        x, y = self.plane(texel_centre(np.arange(rows)[:, None]), texel_centre(np.arange(columns)[None, :]))
         angles: np.ndarray = self.pixel**2 / (1 + x * x + y * y) ** 1.5
         return angles
 
@@ -232,7 +234,7 @@ class HalfSphere(Frame):
 
     def solid_angles(self) -> np.ndarray:
         """Solid angle of each pixel whose centre lies in front of the eye, sr, (H, W); 0 in the corners."""
-        centre = (np.arange(self.side) + 0.5) * 2 / self.side - 1
+        centre = texel_centre(np.arange(self.side)) * 2 / self.side - 1
         angle = np.hypot(centre[:, None], centre) * np.pi / 2
         angles = (np.pi / self.side) ** 2 * np.sinc(angle / np.pi)
         return np.where(angle <= np.pi / 2, angles, 0.0)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
+from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, texel_centre, within
 
 
 class Lens(ABC):
@@ -136,7 +136,7 @@ class Fisheye(Projection):
     def wrapped(self, row: np.ndarray, column: np.ndarray, height: int, home: np.ndarray) -> Texels:
         """Texel indices held on the image, and whether their centre lies within the disc."""
         row, column = np.clip(row, 0, height - 1), np.clip(column, 0, height - 1)
-        inside = np.hypot(2 * (row + 0.5) / height - 1, 2 * (column + 0.5) / height - 1) <= 1
+        inside = np.hypot(2 * texel_centre(row) / height - 1, 2 * texel_centre(column) / height - 1) <= 1
         return row, column, inside
 
     def height_for(self, texels: float) -> int:

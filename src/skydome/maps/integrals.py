@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from skydome.maps.projection import Projection
+from skydome.maps.projection import Projection, texel_centre
 
 CHUNK = 1 << 17  # texels at a time: about 10 MB of vectors
 EDGE = 1e-9  # texels, and the sine below which a texel's corner counts as on the horizon
@@ -61,7 +61,7 @@ def front_part(
     before, behind = np.min(corners, axis=0) > -1e2 * EDGE, np.max(corners, axis=0) < 1e2 * EDGE
     cut = ~(before | behind)
     result = np.where(before, projected, 0.0)
-    offsets = (np.arange(8) + 0.5) / 8
+    offsets = texel_centre(np.arange(8)) / 8
     places = [(down, right) for down in offsets for right in offsets]
     cosines = [projection.toward(row[cut] + down, column[cut] + right, height) @ normal for down, right in places]
     result[cut] = np.mean(np.maximum(cosines, 0.0), axis=0) * size[cut]

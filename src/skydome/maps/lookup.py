@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant, namespace, safe_sqrt
 from skydome.maps.equirectangular import Equirectangular
-from skydome.maps.projection import Projection
+from skydome.maps.projection import Projection, from_first_centre
 
 
 def nearest(pixels: np.ndarray, projection: Projection, directions: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -24,8 +24,9 @@ def bilinear(pixels: np.ndarray, projection: Projection, directions: Any) -> tup
     height = pixels.shape[0]
     row, column, covered = projection.pixels(directions, height)
     home = row.astype(np.intp)
-    top, left = np.floor(row - 0.5).astype(np.intp), np.floor(column - 0.5).astype(np.intp)
-    down, right = row - 0.5 - top, column - 0.5 - left
+    below, right_of = from_first_centre(row), from_first_centre(column)
+    top, left = np.floor(below).astype(np.intp), np.floor(right_of).astype(np.intp)
+    down, right = below - top, right_of - left
     total = np.zeros((*row.shape, pixels.shape[-1]))
     weights = np.zeros(row.shape)
     for lower, share_down in ((0, 1 - down), (1, down)):
@@ -65,4 +66,4 @@ def places(projection: Equirectangular, rows: int, columns: int, directions: Arr
     azimuth = xp.atan2(x, xp.where(upright, xp.ones_like(y), y))
     turn = (azimuth - projection.azimuth_left) / (2 * np.pi) * (-1 if projection.mirrored else 1)
     polar = xp.atan2(safe_sqrt(x * x + y * y), z)
-    return polar / np.pi * rows - 0.5, turn * columns - 0.5
+    return from_first_centre(polar / np.pi * rows), from_first_centre(turn * columns)

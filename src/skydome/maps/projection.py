@@ -10,11 +10,28 @@ Texels = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Row, column, and whether the map has that texel."""
 
 
+def texel_centre(index: Any) -> Any:
+    """Continuous coordinate of the centre of a row or column: texel i covers [i, i + 1), here and in every picture.
+
+    The one place of the half pixel. Of part k of n of a texel: `texel_centre(k) / n`.
+
+    >>> texel_centre(np.arange(3)).tolist(), from_first_centre(texel_centre(2))
+    ([0.5, 1.5, 2.5], 2.0)
+    """
+    return index + 0.5
+
+
+def from_first_centre(coordinate: Any) -> Any:
+    """A continuous coordinate counted from the first texel's centre: between which centres it lies, and where."""
+    return coordinate - 0.5
+
+
 class Projection(ABC):
     """A layout of directions on an image; frozen, so that it can name a map's layout.
 
     Texel coordinates are continuous: texel (i, j) covers rows [i, i + 1) and columns [j, j + 1), its centre is
-    (i + .5, j + .5), so `floor` gives the texel. Directions are unit vectors in the frame x east, y north, z up.
+    (i + .5, j + .5), by `texel_centre`, so `floor` gives the texel. Directions are unit vectors in the frame x east,
+    y north, z up.
     """
 
     @abstractmethod
@@ -56,7 +73,7 @@ class Projection(ABC):
     def centres(self, height: int, rows: slice = ALL_ROWS) -> tuple[np.ndarray, np.ndarray]:
         """Texel coordinates of the centres: rows (r, 1) and columns (1, columns)."""
         count, width = self.shape(height)
-        return np.arange(count)[rows, None] + 0.5, np.arange(width)[None, :] + 0.5
+        return texel_centre(np.arange(count)[rows, None]), texel_centre(np.arange(width)[None, :])
 
     def valid(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:
         """True for the texels that belong to the map, shape (r, columns)."""

@@ -7,7 +7,7 @@ import numpy as np
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.integrals import row_chunks
 from skydome.maps.lookup import bilinear, nearest
-from skydome.maps.projection import Projection
+from skydome.maps.projection import Projection, from_first_centre, texel_centre
 
 SUN_CONTRAST = 30.0  # texels this much brighter than their surroundings are carried over as flux
 SAMPLES = 1 << 18  # directions at a time: about 60 MB
@@ -47,8 +47,8 @@ def copied_columns(source: Projection, destination: Projection, height: int, new
     if not (isinstance(source, Equirectangular) and isinstance(destination, Equirectangular)):
         return None
     width = source.shape(height)[1]
-    turn = destination.azimuths(np.arange(width) + 0.5, height) - source.azimuth_left
-    column = (-turn if source.mirrored else turn) / (2 * np.pi) * width - 0.5
+    turn = destination.azimuths(texel_centre(np.arange(width)), height) - source.azimuth_left
+    column = from_first_centre((-turn if source.mirrored else turn) / (2 * np.pi) * width)
     whole = np.rint(column)
     return np.mod(whole, width).astype(np.intp) if np.allclose(column, whole, rtol=0, atol=1e-6) else None
 
@@ -148,7 +148,7 @@ def lay_flux(
     finer = math.sqrt(density(destination, rows) / density(source, source_height))
     count = max(4, math.ceil(4 * finer))
     angles = np.broadcast_to(destination.solid_angles(rows), (rows, columns))
-    offsets = (np.arange(count) + 0.5) / count
+    offsets = texel_centre(np.arange(count)) / count
     step = max(1, SAMPLES // count**2)
     for k in range(0, len(flux), step):
         i, j = place[0][k : k + step, None, None], place[1][k : k + step, None, None]
