@@ -17,6 +17,7 @@ from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concre
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum, checked_wavelengths, interpolated, xyz_weights
+from skydome.sun.day import is_day
 
 SOLID_ANGLE = float(np.pi * np.sin(np.radians(959.63 / 3600)) ** 2)
 """Projected solid angle of the sun's disc at 1 AU, sr: 6.8e-5."""
@@ -151,7 +152,7 @@ class ClearAir:
         sun = floating(sun)
         through = self.transmittance(sun, wavelengths)
         light = through * constant(self.above(wavelengths), through)
-        up = (sun[..., 2] > 0)[..., None]
+        up = is_day(sun)[..., None]
         return namespace(sun).where(up, light, light * 0)
 
     def radiance(self, sun: Array, wavelengths: Any) -> Array:

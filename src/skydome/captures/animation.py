@@ -12,6 +12,7 @@ from skydome.ground.directions import angle_between, azimuth, direction, elevati
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projection import texel_centre
 from skydome.skies.neural.network import Network
+from skydome.sun.day import is_day
 
 BLEND = np.radians(8.0)
 """Elevation below which the network's sky gives way to the captures' own: it has seen little of the horizon's haze."""
@@ -88,7 +89,7 @@ class Animation:
 
     def log_network(self, sun: np.ndarray) -> np.ndarray:
         """Log of the network's light above the horizon on its grid (r, w, 3), float32."""
-        above = sun if sun[2] > 0 else direction(azimuth(sun), 1e-3)
+        above = sun if is_day(sun) else direction(azimuth(sun), 1e-3)
         light = day_light(self.network.stored_as(np.float32), self._grid, above.astype(np.float32))
         return np.asarray(np.log(np.hypot(light, np.float32(FLOOR * self.network.scale))))
 
@@ -141,7 +142,7 @@ class Animation:
         i = np.arange(max(0, int(row) - reach), min(rows // 2, int(row) + reach + 1))
         across = min(columns // 2, int(np.ceil(reach / max(np.sin((row / rows) * np.pi), 1e-3))) + 1)
         j = (int(column) + np.arange(-across, across)) % columns
-        if not i.size or sun[2] <= 0:
+        if not i.size or not is_day(sun):
             return
         toward = projection.toward(texel_centre(i[:, None]), texel_centre(j[None, :]), self.height)
         spot = np.maximum(1 - (angle_between(toward, sun) / width) ** 2, 0) ** 2

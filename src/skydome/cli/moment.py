@@ -5,6 +5,7 @@ from datetime import UTC, datetime, timedelta, timezone
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.options import SunOptions, numbers
+from skydome.sun.day import is_day
 
 if TYPE_CHECKING:
     from skydome.sun.place import Place
@@ -100,9 +101,9 @@ def aware_time(text: str | None, zone: str | None) -> datetime:
 
 def require_day(moment: Moment, model: str) -> None:
     """ValueError unless the sun is up, naming the twilight by the sun's depth and what the model has to say of it."""
-    elevation = moment.elevation
-    if elevation > 0:
+    if is_day(moment.direction):
         return
+    elevation = moment.elevation
     name = next(name for lowest, name in TWILIGHTS if elevation >= lowest or lowest == -90)
     raise ValueError(
         f"the sun must be above the horizon, got elevation {elevation:.2f} degrees ({name}): analytic models such as "

@@ -10,6 +10,7 @@ from skydome.ground.extras import required
 from skydome.ground.writing import appearing
 from skydome.maps.projections import Fisheye
 from skydome.skies.sky import Sky
+from skydome.sun.day import is_day
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -47,7 +48,7 @@ def sky_figure(sky: Sky, sun: Any = None, path: SunPath | None = None, title: st
     draw_compass(axes)
     if path is not None:
         draw_path(axes, *path)
-    if sun is not None and sun[2] > 0:
+    if sun is not None and is_day(sun):
         x, y = on_disc(np.asarray(sun))
         axes.plot(x, y, "o", color="white", markeredgecolor="black", markersize=11, zorder=5)
     axes.set_title(title, fontsize=10)

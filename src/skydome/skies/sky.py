@@ -19,6 +19,7 @@ from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.formula.fast import Light
 from skydome.skies.validity import Check, Range, inside, require, require_check
+from skydome.sun.day import is_day
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +152,7 @@ class SunlitSky(Sky):
     @property
     def is_day(self) -> Array:
         """True where the sun stands above the horizon, boolean array (...,)."""
-        return floating(self.sun)[..., 2] > 0
+        return is_day(floating(self.sun))
 
     @property
     def one_sun(self) -> bool:

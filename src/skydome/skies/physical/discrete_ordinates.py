@@ -20,6 +20,7 @@ from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.layers import Layers, layered
 from skydome.skies.validity import Range, require
+from skydome.sun.day import is_day
 
 VIEWS = 512
 """Directions at a time: what is held of them stays in the processor's cache."""
@@ -59,7 +60,7 @@ class DiscreteOrdinates(AtmosphereSky):
         shape = np.broadcast_shapes(directions.shape, suns.shape)[:-1]
         light = np.zeros((*shape, w.size))
         for index in np.ndindex(suns.shape[:-1]):
-            if suns[index][2] > 0:
+            if is_day(suns[index]):
                 place = across(index, suns.shape[:-1], shape)
                 views = np.broadcast_to(directions, (*shape, 3))[place]
                 light[place] = self.under_one_sun(suns[index], views, w)

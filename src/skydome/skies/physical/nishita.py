@@ -21,6 +21,7 @@ from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.discrete_ordinates import across, cosine_transform, cubic, geometry, position, view_nodes
 from skydome.skies.validity import Range, require
+from skydome.sun.day import is_day
 
 CHUNK = 2048
 RAYS = 512
@@ -176,7 +177,7 @@ def first_light(
     radius = np.repeat(air.radius + np.maximum(heights, 0.1), len(around))
     views = np.tile(around, (len(heights), 1))
     light = scattered_once(table, radius, views, sun, wavelengths)
-    if sun[2] > 0:
+    if is_day(sun):
         path = rays(air, radius, views[:, 2])
         depths = np.stack([part.depth(wavelengths) for part in air.constituents])
         down, _ = table.look_up(np.zeros(1), np.array([sun[2]]))

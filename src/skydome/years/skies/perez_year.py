@@ -6,6 +6,7 @@ import numpy as np
 
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.perez_all_weather import Compat, PerezAllWeather, distribution_letters
+from skydome.sun.day import is_day
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
 from skydome.years.weather.sun_of_interval import SunTrack, lit_sun
@@ -39,7 +40,7 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
     """The year's skies; illuminances, clearness, brightness (K,) are of lit intervals with known irradiances."""
     sun = lit_sun(weather, track)
     direct, diffuse = weather.irradiances
-    up = (sun.lit > 0) & (sun.directions[:, 2] > 0)
+    up = (sun.lit > 0) & is_day(sun.directions)
     lit = np.flatnonzero(up & ~weather.missing & (diffuse > 0))
     dew_point = np.where(np.isnan(weather.dew_point), DEW_POINT, weather.dew_point)
     orbit = 1 / sun.distances**2

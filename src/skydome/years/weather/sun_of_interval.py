@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.sun.day import is_day
 from skydome.sun.place import Place
 from skydome.sun.position import earth_sun_distance, local_axes, sun_direction
 from skydome.years.weather.weather import Weather
@@ -93,7 +94,7 @@ def lit_sun(weather: Weather, track: SunTrack | None = None) -> LitSun:
     middle = (start + end) / 2
     at_start, at_middle = (track.directions(weather.place, t) for t in (start, middle))
     at_end = next_or_own(track, weather.place, start, end, at_start)
-    up = [toward[:, 2] > 0 for toward in (at_start, at_middle, at_end)]
+    up = [is_day(toward) for toward in (at_start, at_middle, at_end)]
     early = crossings(track, weather.place, start, middle, up[:2])
     late = crossings(track, weather.place, middle, end, up[1:])
     first = np.where(up[0], start, np.where(up[1], early, late))
