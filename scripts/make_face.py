@@ -5,6 +5,7 @@ From `HOME` in `skydome/__init__.py`: `__init__.pyi`, an import of each name, an
 
 import ast
 import inspect
+import re
 from importlib import import_module
 from itertools import groupby, pairwise
 from pathlib import Path
@@ -49,7 +50,7 @@ def page() -> str:
 
 def title(room: str) -> str:
     """The first sentence of a room's map."""
-    return first_line(import_module(f"skydome.{room}").__doc__).rstrip(".")
+    return first_sentence(import_module(f"skydome.{room}").__doc__).rstrip(".")
 
 
 def table(modules) -> str:
@@ -63,7 +64,7 @@ def told(name: str) -> str:
     """The first sentence of a name's docstring; of a constant the text below it in its file."""
     value = getattr(skydome, name)
     text = value.__doc__ if inspect.isclass(value) or inspect.isfunction(value) else text_below(name)
-    return first_line(text).replace("|", "\\|")
+    return first_sentence(text).replace("|", "\\|")
 
 
 def text_below(name: str) -> str:
@@ -75,9 +76,11 @@ def text_below(name: str) -> str:
     raise ValueError(f"{name} is not told of in {skydome.WHERE[name]}")
 
 
-def first_line(text: str) -> str:
-    """The first paragraph's line."""
-    return inspect.cleandoc(text).splitlines()[0]
+def first_sentence(text: str) -> str:
+    """The first sentence of a docstring."""
+    paragraph = " ".join(inspect.cleandoc(text).split("\n\n")[0].split())
+    return re.match(r".*?\.(?= [A-Z`]|$)|.*", paragraph)[0]
+
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The public face: its stub and its page say what the code says, names are told of, type checkers catch slips."""
 
+import doctest
 import importlib.util
 import inspect
 import re
@@ -13,6 +14,9 @@ import pytest
 import skydome as sd
 
 ROOT = Path(__file__).parents[1]
+GENERATED = {"api.md", "decisions.md", "performance.md"}
+"""Pages that list or justify; a name must be told of in another one."""
+
 RIGHT = """
 import skydome as sd
 
@@ -120,3 +124,20 @@ def test_type_checkers_catch_slips_and_know_every_type(checker, tmp_path):
     assert error_lines(wrong) == WRONG_LINES, wrong
     assert "HosekWilke" in wrong
     assert "turbidty" in wrong
+
+
+@pytest.mark.parametrize("name", list(sd.WHERE))
+def test_a_public_name_opens_with_what_comes_out_and_shows_its_use(name):
+    value = getattr(sd, name)
+    if inspect.isfunction(value) or inspect.isclass(value):
+        opening = inspect.cleandoc(value.__doc__).splitlines()[0]
+        assert opening.endswith((".", ":", ";")) or len(opening) > 60
+        assert not opening.startswith(("Return", "Compute", "Calculate", "Get "))
+        assert doctest.DocTestParser().get_examples(value.__doc__), f"{name} shows no example"
+
+
+def test_every_public_name_is_told_of_in_a_page():
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
+    text = "\n".join(page.read_text("utf-8") for page in pages if page.name not in GENERATED)
+    told = {name for name in sd.WHERE if re.search(rf"\bsd\.{name}\b|`[^`\n]*\b{name}\b[^`\n]*`", text)}
+    assert set(sd.WHERE) - told == set()

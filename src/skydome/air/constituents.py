@@ -56,7 +56,12 @@ class Constituent(ABC):
 
 @dataclass(frozen=True)
 class Molecules(Constituent):
-    """Air's molecules under a surface `pressure`, Pa; `optical_depth` (number or `Spectrum`) replaces Bodhaine's."""
+    """Air's molecules under a surface `pressure`, Pa; `optical_depth` (number or `Spectrum`) replaces Bodhaine's.
+
+    >>> air = Molecules(pressure=80_000.0)
+    >>> air.depth([400.0, 700.0]).round(4).tolist()
+    [0.2844, 0.0288]
+    """
 
     pressure: float = STANDARD_PRESSURE
     profile: Profile = field(default_factory=lambda: Exponential(8000.0))
@@ -89,6 +94,9 @@ class Aerosol(Constituent):
     """Haze of vertical `optical_depth` at 550 nm that goes as wavelength^-`angstrom` (or a `Spectrum` of depths).
 
     `albedo` is its single scattering albedo (number or `Spectrum`), `phase` its phase law.
+
+    >>> Aerosol(optical_depth=0.2, angstrom=1.0).depth([550.0, 1100.0]).tolist()
+    [0.2, 0.1]
     """
 
     optical_depth: Any = 0.1
@@ -121,7 +129,11 @@ class Aerosol(Constituent):
 
 @dataclass(frozen=True)
 class Ozone(Constituent):
-    """Ozone, which absorbs only: `column` in Dobson units."""
+    """Ozone, which absorbs only: `column` in Dobson units.
+
+    >>> Ozone(column=300.0).depth([600.0]).round(4).tolist()
+    [0.0392]
+    """
 
     column: float = 330.0
     profile: Profile = OZONE_LAYER

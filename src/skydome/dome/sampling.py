@@ -98,6 +98,12 @@ class SkySampler:
     """One sky made ready for sampling: its dome, its discs, and each one's share of the light, (1 + k,).
 
     `SkySampler.of(sky)` looks at the sky once (65,536 directions); `sample` and `density` may then be asked often.
+
+    >>> import skydome as sd
+    >>> sampler = SkySampler.of(sd.Uniform(1000.0))
+    >>> directions, density = sampler.sample(8, seed=1)
+    >>> directions.shape, bool(np.allclose(density, 1 / (2 * np.pi), rtol=0.01))
+    ((8, 3), True)
     """
 
     dome: Dome

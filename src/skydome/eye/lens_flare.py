@@ -21,6 +21,11 @@ class LensFlare:
     `strength` is the share of a source's light that the ghosts take, `haze` what is spread over the whole picture.
     Not a ray-traced lens: places, sizes and tints are drawn at random as in common lenses (Hullin et al. 2011 show
     them); the light adds up: what ghosts and haze have, the source's own image lacks.
+
+    >>> import skydome as sd
+    >>> sky = sd.Daylight(sd.Uniform(1000.0)) + sd.SunDisc(sd.direction(0.0, 5 * sd.deg), 3.0)
+    >>> LensFlare(ghosts=5).look(sd.render(sky, height=64), sd.Camera(width=40, height=30)).plain.shape
+    (30, 40, 3)
     """
 
     ghosts: int = 9

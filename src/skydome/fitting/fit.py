@@ -34,6 +34,12 @@ class Fit:
     observed or as a map; `rms` its root mean square; `relative_rms` that of the differences over the fitted light.
     Where the samples cannot tell, `determined` is False, `degenerate` names the parameters, which are NaN in
     `parameters` and infinite in `standard_errors`, and `message` says so; `sky` still shows light like that observed.
+
+    >>> import skydome as sd
+    >>> sun, views = sd.direction(2.0, 0.7), sd.direction(np.arange(50) * 2.4, np.linspace(0.1, 1.5, 50))
+    >>> found = fit(sd.Preetham, views, sd.Preetham(sun, 3.3).luminance(views), initial={"sun": sun})
+    >>> found.names, round(found.parameters["turbidity"], 3)
+    (('sun_across', 'sun_up', 'turbidity'), 3.3)
     """
 
     sky: Sky

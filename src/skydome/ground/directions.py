@@ -52,7 +52,11 @@ def azimuth(directions: Array) -> Array:
 
 
 def elevation(directions: Array) -> Array:
-    """Elevation above the horizon, radians in [-pi/2, pi/2], shape (...,); exact near the zenith too."""
+    """Elevation above the horizon, radians in [-pi/2, pi/2], shape (...,); exact near the zenith too.
+
+    >>> float(elevation(NORTH)), round(float(elevation(ZENITH)) / np.pi, 12)
+    (0.0, 0.5)
+    """
     xp = namespace(directions)
     v = floating(directions)
     return xp.atan2(v[..., 2], safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2))
@@ -117,7 +121,11 @@ def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_differen
 
 
 def unit(vectors: Array) -> Array:
-    """Vectors (..., 3) scaled to length 1; ValueError where one has length 0."""
+    """Vectors (..., 3) scaled to length 1; ValueError where one has length 0.
+
+    >>> unit([0.0, 3.0, 4.0]).tolist()
+    [0.0, 0.6, 0.8]
+    """
     xp = namespace(vectors)
     v = floating(vectors)
     length = xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))

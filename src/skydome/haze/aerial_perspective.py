@@ -32,7 +32,12 @@ LOWEST, FARTHEST = -5000.0, 1e9
 
 
 class AerialPerspective(NamedTuple):
-    """What air does to the light of an object: seen = object x `transmittance` + `inscattered`; each (..., C)."""
+    """What air does to the light of an object: seen = object x `transmittance` + `inscattered`; each (..., C).
+
+    >>> air = AerialPerspective(transmittance=np.array([0.8, 0.5]), inscattered=np.array([10.0, 40.0]))
+    >>> air.seen(np.array([100.0, 100.0])).tolist()
+    [90.0, 90.0]
+    """
 
     transmittance: Array
     inscattered: Array
@@ -47,6 +52,12 @@ class AirLight:
     """The air of one sky, ready for many rays. See `aerial_perspective` for the parameters.
 
     `height` is measured above the ground to which `turbidity` belongs.
+
+    >>> import skydome as sd
+    >>> air = AirLight(sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0))
+    >>> near, far = (air.at(distance, sd.NORTH).transmittance for distance in (1 * sd.km, 10 * sd.km))
+    >>> bool((near > far).all())
+    True
     """
 
     sky: Sky

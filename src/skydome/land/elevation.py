@@ -34,6 +34,10 @@ class Elevation:
 
     `latitude`, `longitude`: of the middle, degrees, and `extent`, if known. `notes`: what was done to the data, for
     people.
+
+    >>> hill = Elevation(np.array([[0.0, 10.0, 0.0], [0.0, 20.0, 0.0]]), dx=30.0, dy=30.0)
+    >>> hill.refined(2).dx
+    15.0
     """
 
     heights: np.ndarray
@@ -99,6 +103,12 @@ def read_elevation(path: str | PathLike[str], vertical_unit: str | None = None, 
 
     `vertical_unit`: "m" or "ft" where the file does not say; metres are taken else. ValueError in one line for files
     without georeference, mostly holes, or no elevation.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     np.savez(f"{folder}/hill.npz", elevation=np.eye(3), dx=30.0, dy=30.0)
+    ...     read_elevation(f"{folder}/hill.npz").heights.shape
+    (3, 3)
     """
     path = Path(path)
     if not path.is_file():

@@ -46,7 +46,11 @@ GRASS = (0.11, 0.12, 0.07)
 
 @dataclass(frozen=True, eq=False)
 class TerrainPicture:
-    """Linear sRGB `rgb` (H, W, 3), a white of 1 cd m-2 being (1, 1, 1), and `depth` (H, W), m, infinite in the sky."""
+    """Linear sRGB `rgb` (H, W, 3), a white of 1 cd m-2 being (1, 1, 1), and `depth` (H, W), m, infinite in the sky.
+
+    >>> TerrainPicture(np.full((2, 2, 3), 500.0), np.ones((2, 2))).encoded().shape
+    (2, 2, 3)
+    """
 
     rgb: np.ndarray
     depth: np.ndarray
@@ -89,6 +93,11 @@ def render_terrain(
     number. `curvature`: lower the land by the Earth's curve, less refraction. `progress(done, rows)` is called as rows
     are finished. Beyond the map lies flat ground of the mean albedo at its lowest height, from which `air` measures
     heights. Needs Numba.
+
+    >>> import skydome as sd
+    >>> hill, sky = sd.Elevation(np.eye(9), dx=30.0, dy=30.0), sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0)
+    >>> render_terrain(hill, sd.Camera(width=8, height=6), sky, samples=1).rgb.shape
+    (6, 8, 3)
     """
     required("numba", "terrain", "a terrain picture")
     from skydome.land.picture_kernel import picture_rows

@@ -50,6 +50,9 @@ class RGBSpace:
 
     `adapted_from` None is plain colorimetry: RGB (1, 1, 1) is the space's own white. Otherwise it is a white, and XYZ
     is moved from that white to the space's by Bradford first, so that a colour of that white is RGB (1, 1, 1).
+
+    >>> (SRGB.to_xyz @ np.ones(3)).round(4).tolist()
+    [0.9505, 1.0, 1.0891]
     """
 
     name: str

@@ -23,6 +23,13 @@ def load(path: str | PathLike[str], target: str = "native", projection: Projecti
     """The map in an .exr or .hdr file that is laid out as `target` says, or as `projection` where that is given.
 
     Its unit comes from whiteLuminance (.exr; 1 cd m-2 where the file is silent) or Radiance's 179 lm W-1 (.hdr).
+
+    >>> from tempfile import TemporaryDirectory
+    >>> import skydome as sd
+    >>> with TemporaryDirectory() as folder:
+    ...     sd.render(sd.Daylight(sd.Uniform(1000.0)), height=16).save(f"{folder}/sky.exr", target="blender")
+    ...     load(f"{folder}/sky.exr", target="blender").pixels.shape
+    (16, 32, 3)
     """
     suffix = Path(path).suffix.lower()
     layout = projection or target_named(target).projection

@@ -28,6 +28,11 @@ class Sky(ABC):
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
     the parameter to the limit, "nan" answers NaN. A sun below the horizon is night: light 0 and `valid` False.
+
+    >>> import skydome as sd
+    >>> sky = sd.Uniform(1000.0) + 0.5 * sd.MoonSpencer(zenith_luminance=9000.0)
+    >>> float(sky.luminance(sd.ZENITH))
+    5500.0
     """
 
     ranges: ClassVar[Mapping[str, Range]] = {}
@@ -180,7 +185,12 @@ class SunlitSky(Sky):
 
 
 class ColourSky(Sky):
-    """A sky whose colour is known: the second rung."""
+    """A sky whose colour is known: the second rung.
+
+    >>> import skydome as sd
+    >>> sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0).rgb(sd.NORTH).shape
+    (3,)
+    """
 
     @abstractmethod
     def xyz(self, directions: Array) -> Array:
@@ -203,7 +213,12 @@ class ColourSky(Sky):
 
 
 class SpectralSky(ColourSky):
-    """A sky whose spectrum is known: the third rung."""
+    """A sky whose spectrum is known: the third rung.
+
+    >>> import skydome as sd
+    >>> sd.HosekWilkie(sd.direction(2.0, 0.7), turbidity=3.0).radiance(sd.NORTH, [450.0, 650.0]).shape
+    (2,)
+    """
 
     bands: ClassVar[np.ndarray] = np.arange(380.0, 781.0, 10.0)
     """Wavelengths, nm, between which the model's spectrum is taken as linear when colours are integrated."""

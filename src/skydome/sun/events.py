@@ -40,6 +40,10 @@ class SunEvents:
 
     `noon` is the transit: the sun on the meridian. `noon_elevation` is the true one then, radians: above -0.8333
     degrees with no sunrise it is polar day, below it polar night.
+
+    >>> day = sun_events(Place(69.65, 18.96), "2026-06-21", "Europe/Oslo")  # north of the polar circle
+    >>> str(day.noon)[:16], day.sunset
+    ('2026-06-21T10:45', None)
     """
 
     noon: np.datetime64

@@ -77,7 +77,12 @@ class LightKind(ABC):
 
 @dataclass(frozen=True)
 class LightInLux(LightKind):
-    """Luminance, cd m-2, and illuminance, lx; no channels."""
+    """Luminance, cd m-2, and illuminance, lx; no channels.
+
+    >>> import skydome as sd
+    >>> round(float(LightInLux().on_level(sd.Uniform(1000.0))), 1)
+    3141.6
+    """
 
     trailing: ClassVar[int] = 0
 
@@ -101,7 +106,13 @@ class LightInLux(LightKind):
 
 @dataclass(frozen=True)
 class LightInXYZ(LightKind):
-    """CIE 1931 X, Y, Z, Y in cd m-2 or lx."""
+    """CIE 1931 X, Y, Z, Y in cd m-2 or lx.
+
+    >>> import skydome as sd
+    >>> sky, hills = sd.Daylight(sd.Uniform(1000.0)), sd.Horizon.level(30 * sd.deg)
+    >>> sd.obstructed_illuminance(sky, hills, light=LightInXYZ()).total.shape
+    (3,)
+    """
 
     @property
     def channels(self) -> int:
@@ -119,7 +130,12 @@ class LightInXYZ(LightKind):
 
 @dataclass(frozen=True)
 class LightInRGB(LightInXYZ):
-    """Linear red, green, blue of a colour `space`; white of 1 lx is (1, 1, 1). Reflectances may be (3,)."""
+    """Linear red, green, blue of a colour `space`; white of 1 lx is (1, 1, 1). Reflectances may be (3,).
+
+    >>> import skydome as sd
+    >>> LightInRGB(sd.REC2020).toward(sd.Daylight(sd.Uniform(1000.0)), sd.ZENITH).round().tolist()
+    [1000.0, 1000.0, 1000.0]
+    """
 
     space: RGBSpace = field(default=SRGB)
 
@@ -137,6 +153,11 @@ class LightInWavelengths(LightKind):
     """Spectral radiance, W m-2 sr-1 nm-1, and irradiance, W m-2 nm-1, at `wavelengths` (W,), nm.
 
     Reflectances may be a `Spectrum` or (W,).
+
+    >>> import skydome as sd
+    >>> sky = sd.HosekWilkie(sd.direction(2.0, 0.7), turbidity=3.0)
+    >>> LightInWavelengths((450.0, 550.0)).toward(sky, sd.ZENITH).shape
+    (2,)
     """
 
     wavelengths: Any

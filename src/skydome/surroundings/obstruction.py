@@ -23,6 +23,9 @@ class Received:
     """Light on a plane, lx: from the `sky`, the `sun`'s disc, and `reflected`; each (...,), the sky's leading axes.
 
     In another kind of light, its unit, and (..., C).
+
+    >>> float(Received(np.array(900.0), np.array(2000.0), np.array(100.0)).total)
+    3000.0
     """
 
     sky: Array
@@ -41,6 +44,14 @@ class PlaneView:
 
     `directions` (M, 3) and `weights` (M,), projected solid angles, of the visible sky; `labels` (K,) of what else is
     seen and its `factors` (K,): the illuminance that each gives per unit of its luminance, pi x form factor.
+
+    >>> import skydome as sd
+    >>> view = PlaneView.of(sd.Horizon.level(30 * sd.deg))
+    >>> round(view.sky_view_factor, 3)
+    0.75
+    >>> year = sd.Uniform(np.array([1000.0, 2000.0])[:, None])
+    >>> view.receive(year).total.shape
+    (2,)
     """
 
     normal: np.ndarray

@@ -69,7 +69,12 @@ def clear_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
 
 
 def overcast_zenith_luminance(sun: Array) -> Array:
-    """Zenith luminance of an overcast sky, cd m-2: 1000 (8.6 sin(elevation) + 0.123), the formula of `gensky`."""
+    """Zenith luminance of an overcast sky, cd m-2: 1000 (8.6 sin(elevation) + 0.123), the formula of `gensky`.
+
+    >>> from skydome import deg, direction
+    >>> round(overcast_zenith_luminance(direction(0.0, 30 * deg)))
+    4423
+    """
     xp = namespace(sun)
     return 1000 * (8.6 * xp.sin(at_least(elevation(sun), 0.0)) + 0.123)
 

@@ -111,7 +111,13 @@ class NeuralSky(NeuralForm, ColourSky):
 
 @dataclass(frozen=True, eq=False)
 class NeuralSpectralSky(NeuralForm, SpectralSky):
-    """A sky from a network that gives spectral radiance in bands, linear in wavelength between them."""
+    """A sky from a network that gives spectral radiance in bands, linear in wavelength between them.
+
+    >>> import skydome as sd
+    >>> sky = NeuralSpectralSky.load("hosek-wilkie-spectral", sd.direction(180 * sd.deg, 40 * sd.deg), turbidity=3.0)
+    >>> sky.radiance(sd.ZENITH, [450.0, 650.0]).shape
+    (2,)
+    """
 
     @classmethod
     def load(

@@ -74,6 +74,12 @@ class Nishita96(Nishita93):
 
     Known errors: third and higher orders are missing, 3 % (red) to 20 % (blue) in clear air; for a sun below the
     horizon the second order takes the sun's height as the observer's everywhere.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(180 * sd.deg, 40 * sd.deg)
+    >>> once, twice = Nishita93(sun).radiance(sd.ZENITH, [450.0]), Nishita96(sun).radiance(sd.ZENITH, [450.0])
+    >>> bool(twice > once)
+    True
     """
 
     rings: int = 8

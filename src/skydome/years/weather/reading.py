@@ -14,6 +14,16 @@ def read_weather(path: str | PathLike[str], year: int | None = None) -> Weather:
 
     `year` lays the rows in that calendar year; None keeps the file's own where all rows have the same one, and else
     takes 2023, or 2024 where there is a 29 February. ValueError with the line for what cannot be read.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> head = ["place Turin", "latitude 45.07", "longitude -7.69", "time_zone -15", "site_elevation 240"]
+    >>> rows = ["weather_data_file_units 1", "6 21 12.5 700 120", ""]
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder, "turin.wea")
+    ...     _ = path.write_text(chr(10).join(head + rows))
+    ...     weather = read_weather(path, year=2026)
+    >>> weather.place.latitude, weather.direct_normal.tolist()
+    (45.07, [700.0])
     """
     ending = Path(path).suffix.lower()
     if ending == ".epw":

@@ -19,6 +19,12 @@ class Weather:
     in W m-2 and `dew_point` (T,) in degrees C, each NaN where missing. `utc_offset` is the file's standard time,
     hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
     `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
+
+    >>> start = np.array(["2026-06-21T10"], dtype="datetime64[s]")
+    >>> parts = (np.array([700.0]), np.array([120.0]), np.array([12.0]))
+    >>> hour = Weather(Place(45.07, 7.69), start, start + np.timedelta64(3600, "s"), *parts)
+    >>> hour.count, hour.middle.tolist()[0].isoformat()
+    (1, '2026-06-21T10:30:00')
     """
 
     place: Place
