@@ -1,27 +1,22 @@
 """Pictures of real land: an elevation model under a sky, with shadows, skylight on slopes, and the air in between."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from skydome.dome.integrals import discs_and_rest
 from skydome.eye.view import Camera
-from skydome.ground import exr, png
 from skydome.ground.directions import direction, unit
 from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
-from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.ground.units import EARTH_RADIUS
 from skydome.haze.aerial_perspective import AirLight
 from skydome.haze.fast import FastTables
 from skydome.haze.ward_larson import WardLarson
 from skydome.land.elevation import Elevation
-from skydome.light.colour import SRGB, encode_srgb, rgb_from_xyz
-from skydome.maps.files import light_unit
+from skydome.land.terrain_picture import TerrainPicture
+from skydome.light.colour import rgb_from_xyz
 from skydome.skies.sky import ColourSky, Sky
 
 REFRACTION = 7 / 6
@@ -42,38 +37,6 @@ SUN_POINTS = 4000
 
 GRASS = (0.11, 0.12, 0.07)
 """Reflectance of the ground in linear sRGB unless given: dry grass and forest."""
-
-
-@dataclass(frozen=True, eq=False)
-class TerrainPicture:
-    """Linear sRGB `rgb` (H, W, 3), a white of 1 cd m-2 being (1, 1, 1), and `depth` (H, W), m, infinite in the sky.
-
-    >>> TerrainPicture(np.full((2, 2, 3), 500.0), np.ones((2, 2))).encoded().shape
-    (2, 2, 3)
-    """
-
-    rgb: np.ndarray
-    depth: np.ndarray
-
-    def exposure(self) -> float:
-        """The factor that brings the usual luminance to middle grey."""
-        return auto_exposure(np.maximum(self.rgb, 0) @ np.asarray(SRGB.to_xyz[1]))
-
-    def encoded(self, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:
-        """sRGB values (H, W, 3) in 0..1 for the screen."""
-        factor = self.exposure() if exposure is None else exposure
-        encoded: np.ndarray = encode_srgb(tone_mapped(np.maximum(self.rgb, 0.0) * factor, curve or Filmic()))
-        return encoded
-
-    def save(self, path: str | PathLike[str], exposure: float | None = None) -> None:
-        """Write a .png (tone-mapped) or an .exr (linear, with the depth in channel Z)."""
-        suffix = Path(path).suffix.lower()
-        if suffix == ".png":
-            png.write(path, self.encoded(exposure))
-        elif suffix == ".exr":
-            exr.write(path, {"RGB": self.rgb, "Z": self.depth}, light_unit(SRGB))
-        else:
-            raise ValueError(f"a terrain picture must end in .png or .exr, got {Path(path).name!r}")
 
 
 def render_terrain(
