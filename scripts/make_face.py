@@ -82,7 +82,6 @@ def first_sentence(text: str) -> str:
     return re.match(r".*?\.(?= [A-Z`]|$)|.*", paragraph)[0]
 
 
-
 if __name__ == "__main__":
     STUB.write_text(stub(), "utf-8")
     PAGE.write_text(page(), "utf-8")
