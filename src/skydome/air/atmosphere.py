@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air import mars
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at, require_share
@@ -69,9 +70,9 @@ class Atmosphere:
         asymmetry: float = 0.76,
         pressure: float = 101325.0,
         ozone: float = 330.0,
-        albedo: Any = 0.1,
+        albedo: ArrayLike | Spectrum = 0.1,
         phase: PhaseLaw | None = None,
-        aerosol_albedo: Any = 0.92,
+        aerosol_albedo: ArrayLike | Spectrum = 0.92,
         sun_scale: float = 1.0,
     ) -> "Atmosphere":
         """Clear air of the earth: Rayleigh, aerosol (scale height 1.5 km, Angstrom exponent 1.3), ozone (Dobson units).
@@ -84,7 +85,12 @@ class Atmosphere:
 
     @classmethod
     def from_turbidity(
-        cls, turbidity: float, aerosol: Aerosol = CONTINENTAL, *, albedo: Any = 0.1, ozone: float = 330.0
+        cls,
+        turbidity: float,
+        aerosol: Aerosol = CONTINENTAL,
+        *,
+        albedo: ArrayLike | Spectrum = 0.1,
+        ozone: float = 330.0,
     ) -> "Atmosphere":
         """Air with so much of an aerosol as the turbidity says, 1 is clean air; ValueError outside [1, 64].
 
@@ -115,7 +121,9 @@ class Atmosphere:
         return cls((molecules, aerosol), grass(), radius=6_360_000.0, height=60_000.0)
 
     @classmethod
-    def mars(cls, dust_depth: float = 0.5, pressure: float = 636.0, albedo: Any = mars.GROUND) -> "Atmosphere":
+    def mars(
+        cls, dust_depth: float = 0.5, pressure: float = 636.0, albedo: ArrayLike | Spectrum = mars.GROUND
+    ) -> "Atmosphere":
         """The air of Mars: carbon dioxide of a surface `pressure`, Pa, and dust of an optical depth at 550 nm.
 
         Every number has its source in `air/mars.py`; 0.4-0.6 is usual for dust, 0.9 after a storm. Without dust the
@@ -129,20 +137,20 @@ class Atmosphere:
         parts = (mars.gas(pressure), mars.dust(dust_depth))
         return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
 
-    def depth(self, wavelengths: Any) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Vertical optical depth of everything above the ground, (W,)."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
 
-    def albedo_at(self, wavelengths: Any) -> Array:
+    def albedo_at(self, wavelengths: ArrayLike) -> Array:
         """The ground's albedo, (W,)."""
         return at(self.albedo, wavelengths)
 
-    def sun_at(self, wavelengths: Any) -> Array:
+    def sun_at(self, wavelengths: ArrayLike) -> Array:
         """Irradiance of the sun above the air on a plane that faces it, W m-2 nm-1, (W,)."""
         light = solar_irradiance(wavelengths) if self.sunlight is None else self.sunlight.at(wavelengths)
         return light * self.sun_scale
 
-    def transmittance(self, cos_zenith: Any, wavelengths: Any) -> Array:
+    def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
 
         `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5.
@@ -154,7 +162,7 @@ class Atmosphere:
         result: np.ndarray = np.exp(-self.slant_depths(cos_zenith, wavelengths))
         return result
 
-    def slant_depths(self, cos_zenith: Any, wavelengths: Any) -> Array:
+    def slant_depths(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Optical depth of a straight ray from the ground to space, (..., W)."""
         t, w = gauss_legendre(200)
         heights, steps = self.height * t**3, self.height * 3 * t * t * w

@@ -1,8 +1,7 @@
 """What a molecule of air or ozone takes out of a beam, and the sun above the air."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array
 from skydome.ground.tables import columns
@@ -15,7 +14,7 @@ DOBSON = 2.6867e20
 """Molecules per square metre in one Dobson unit."""
 
 
-def king_factor(wavelengths: Any) -> Array:
+def king_factor(wavelengths: ArrayLike) -> Array:
     """King's factor of dry air with 360 ppm CO2, (W,): Bodhaine et al. 1999, eq. 5, 6, 23.
 
     >>> king_factor([550.0]).round(4).tolist()
@@ -28,14 +27,14 @@ def king_factor(wavelengths: Any) -> Array:
     return mixed
 
 
-def depolarisation(wavelengths: Any) -> Array:
+def depolarisation(wavelengths: ArrayLike) -> Array:
     """The depolarisation factor that gives King's factor, F = (6 + 3 p) / (6 - 7 p), shape (W,)."""
     factor = king_factor(wavelengths)
     result: np.ndarray = 6 * (factor - 1) / (3 + 7 * factor)
     return result
 
 
-def bodhaine(wavelengths: Any) -> Array:
+def bodhaine(wavelengths: ArrayLike) -> Array:
     """The rational function of Bodhaine et al. 1999, eq. 29 and 30, shape (W,); 250-850 nm within 0.01 %."""
     square = (checked_wavelengths(wavelengths) / 1000) ** 2
     upper = 1.0455996 - 341.29061 / square - 0.90230850 * square
@@ -43,12 +42,12 @@ def bodhaine(wavelengths: Any) -> Array:
     return result
 
 
-def rayleigh_cross_section(wavelengths: Any) -> Array:
+def rayleigh_cross_section(wavelengths: ArrayLike) -> Array:
     """Scattering cross section of a molecule of air, m2, shape (W,) (Bodhaine et al. 1999, eq. 29)."""
     return bodhaine(wavelengths) * 1e-32
 
 
-def rayleigh_depth(wavelengths: Any, pressure: float = STANDARD_PRESSURE) -> Array:
+def rayleigh_depth(wavelengths: ArrayLike, pressure: float = STANDARD_PRESSURE) -> Array:
     """Vertical optical depth of the molecules above the surface `pressure`, Pa, shape (W,) (eq. 30).
 
     Within 0.01 % of the paper's method at 250-850 nm, 45 degrees north, 360 ppm CO2.
@@ -59,7 +58,7 @@ def rayleigh_depth(wavelengths: Any, pressure: float = STANDARD_PRESSURE) -> Arr
     return 0.0021520 * bodhaine(wavelengths) * (pressure / STANDARD_PRESSURE)
 
 
-def carbon_dioxide_king_factor(wavelengths: Any) -> Array:
+def carbon_dioxide_king_factor(wavelengths: ArrayLike) -> Array:
     """King's factor of carbon dioxide, (W,): Sneep and Ubachs 2005, eq. 14 (Alms et al. 1975).
 
     >>> carbon_dioxide_king_factor([550.0]).round(4).tolist()
@@ -69,7 +68,7 @@ def carbon_dioxide_king_factor(wavelengths: Any) -> Array:
     return 1.1364 + 25.3e-12 * wavenumber**2
 
 
-def carbon_dioxide_cross_section(wavelengths: Any) -> Array:
+def carbon_dioxide_cross_section(wavelengths: ArrayLike) -> Array:
     """Rayleigh cross section of a molecule of carbon dioxide, m2, shape (W,).
 
     Sneep and Ubachs 2005, "Direct measurement of the Rayleigh scattering cross section in various gases", eq. 4, with
@@ -89,7 +88,7 @@ def carbon_dioxide_cross_section(wavelengths: Any) -> Array:
     return result
 
 
-def ozone_cross_section(wavelengths: Any) -> Array:
+def ozone_cross_section(wavelengths: ArrayLike) -> Array:
     """Absorption cross section of a molecule of ozone, m2, shape (W,); the ends of 300-835 nm are held.
 
     The logarithm is linear between the samples: the Huggins bands fall by a factor of 1000 in 40 nm.
@@ -100,7 +99,7 @@ def ozone_cross_section(wavelengths: Any) -> Array:
     return result
 
 
-def solar_irradiance(wavelengths: Any) -> Array:
+def solar_irradiance(wavelengths: ArrayLike) -> Array:
     """Irradiance of the sun above the air at 1 AU, W m-2 nm-1, shape (W,); ASTM G173-03 smoothed to 5 nm.
 
     ValueError outside 290-1100 nm.

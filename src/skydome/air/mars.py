@@ -16,8 +16,6 @@ Choices without a source: all gas counts as CO2 (it is 95 %), the ground's three
 are taken for its albedo, the air ends at 120 km, no water ice, no refraction.
 """
 
-from typing import Any
-
 import numpy as np
 
 from skydome.air.constituents import Aerosol, Molecules, require_positive
@@ -44,7 +42,7 @@ def gas(pressure: float) -> Molecules:
     return Molecules(pressure, Exponential(11_100.0), depolarisation, Spectrum(wavelengths, depth))
 
 
-def dust(optical_depth: Any) -> Aerosol:
+def dust(optical_depth: float) -> Aerosol:
     """The dust, of a vertical optical depth at 550 nm: 321-800 nm, the ends held outside.
 
     Spheres are not dust: their asymmetry is 3-6 % above Wolff's, and they scatter more straight back (a glory).

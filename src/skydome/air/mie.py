@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.constituents import Aerosol, at, require_positive
 from skydome.air.phase_laws import LegendreSeries, legendre
@@ -90,7 +91,7 @@ class MieParticles:
         if not 8 <= self.count <= 100_000:
             raise ValueError(f"count of radii must lie in [8, 100000], got {self.count}")
 
-    def optics(self, wavelengths: Any) -> MieOptics:
+    def optics(self, wavelengths: ArrayLike) -> MieOptics:
         """Cross sections and phase function at wavelengths (W,), nm; about 0.3 s each for particles of micrometres."""
         w = checked_wavelengths(wavelengths)
         largest = 2 * np.pi * self.sizes.span[1] / (w[0] * 1e-9)

@@ -10,6 +10,7 @@ beta_p's K | the same; the integral of Table 1's eta differs by up to 0.35 % | t
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air import phase_functions
 from skydome.ground.arrays import Array, constant, floating
@@ -24,8 +25,8 @@ REFRACTIVE_INDEX, NUMBER_DENSITY, DEPOLARISATION = 1.0003, 2.545e25, 0.035
 
 
 def gas_total(
-    wavelengths: Any,
-    refractive_index: Any = REFRACTIVE_INDEX,
+    wavelengths: ArrayLike,
+    refractive_index: ArrayLike = REFRACTIVE_INDEX,
     number_density: float = NUMBER_DENSITY,
     depolarisation: float = DEPOLARISATION,
 ) -> np.ndarray:
@@ -43,24 +44,24 @@ def gas_total(
     return total
 
 
-def gas_angular(cos_angle: Array, wavelengths: Any, **air: Any) -> Array:
+def gas_angular(cos_angle: Array, wavelengths: ArrayLike, **air: Any) -> Array:
     """Angular scattering coefficient of the molecules at the ground, m-1 sr-1, shape (..., W) (A.3)."""
     phase = phase_functions.rayleigh(floating(cos_angle))
     return phase[..., None] * constant(gas_total(wavelengths, **air), phase)
 
 
-def concentration(turbidity: Any) -> Any:
+def concentration(turbidity: Array) -> Any:
     """The concentration factor c of haze, with wavelengths in metres (A.3, corrected)."""
     return (0.6544 * turbidity - 0.6510) * 1e-18
 
 
-def haze_strength(wavelengths: Any) -> np.ndarray:
+def haze_strength(wavelengths: ArrayLike) -> np.ndarray:
     """0.434 pi (2 pi / lambda)^(v - 2), v = 4, m-2, (W,): what `concentration` and K or eta are multiplied by (A.3)."""
     strength: np.ndarray = 0.434 * np.pi * (2 * np.pi / (checked_wavelengths(wavelengths) * 1e-9)) ** 2
     return strength
 
 
-def haze_total(wavelengths: Any, turbidity: Any) -> Array:
+def haze_total(wavelengths: ArrayLike, turbidity: ArrayLike) -> Array:
     """Total scattering coefficient of haze at the ground, m-1, shape (..., W), with K of Table 2 (A.3).
 
     Wavelengths 380-780 nm; K is held outside.
@@ -75,7 +76,7 @@ def haze_total(wavelengths: Any, turbidity: Any) -> Array:
     return c[..., None] * constant(factor, c)
 
 
-def haze_angular(cos_angle: Array, wavelengths: Any, turbidity: Any) -> Array:
+def haze_angular(cos_angle: Array, wavelengths: ArrayLike, turbidity: ArrayLike) -> Array:
     """Angular scattering coefficient of haze at the ground, m-1 sr-1, shape (..., W), with Table 1's eta (A.3).
 
     Its integral over the sphere differs from `haze_total` by at most 0.35 % at 380-780 nm: the tables are coarse.

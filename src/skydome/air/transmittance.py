@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.optical_mass import kasten_1966
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, namespace
@@ -26,7 +27,7 @@ BANDS = np.arange(380.0, 781.0, 10.0)
 """The wavelengths of Table 2, nm."""
 
 
-def table_at(name: str, wavelengths: Any) -> np.ndarray:
+def table_at(name: str, wavelengths: ArrayLike) -> np.ndarray:
     """A column of Preetham 1999, Table 2 at `wavelengths` (W,) nm, (W,), linear; ValueError outside 380-780 nm."""
     w = checked_wavelengths(wavelengths)
     if w[0] < BANDS[0] or w[-1] > BANDS[-1]:
@@ -41,12 +42,12 @@ def continued(values: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(values), values, line(BANDS))
 
 
-def rayleigh_transmittance(wavelengths: Any, mass: Array) -> Array:
+def rayleigh_transmittance(wavelengths: ArrayLike, mass: Array) -> Array:
     """Share of a beam that passes the molecules of `mass` (...,) vertical airs at (W,) nm, shape (..., W) (A.1)."""
     return beer(0.008735 * (checked_wavelengths(wavelengths) / 1000) ** -4.08, mass)
 
 
-def aerosol_transmittance(wavelengths: Any, mass: Array, beta: Array, exponent: Any = 1.3) -> Array:
+def aerosol_transmittance(wavelengths: Array, mass: Array, beta: Array, exponent: Array = 1.3) -> Array:
     """Share of a beam that passes haze of Angstrom's coefficient `beta` and wavelength exponent, shape (..., W)."""
     xp = namespace(mass, beta)
     mass, beta = floating(mass, like=beta), floating(beta, like=mass)
@@ -55,28 +56,28 @@ def aerosol_transmittance(wavelengths: Any, mass: Array, beta: Array, exponent: 
     return xp.exp(-(mass * beta)[..., None] * xp.exp(-exponent[..., None] * logarithm))
 
 
-def ozone_transmittance(wavelengths: Any, mass: Array, ozone: Any = 0.0035) -> Array:
+def ozone_transmittance(wavelengths: ArrayLike, mass: Array, ozone: ArrayLike = 0.0035) -> Array:
     """Share of a beam that passes `ozone`, m at NTP, shape (..., W) (A.1)."""
     return beer(table_at("k_o", wavelengths), mass * ozone)
 
 
-def mixed_gas_transmittance(wavelengths: Any, mass: Array) -> Array:
+def mixed_gas_transmittance(wavelengths: ArrayLike, mass: Array) -> Array:
     """Share of a beam that oxygen and the other well-mixed gases leave, shape (..., W) (A.1)."""
     return saturating(1.41, 118.93, table_at("k_g", wavelengths), mass)
 
 
-def water_transmittance(wavelengths: Any, mass: Array, water: Any = 0.02) -> Array:
+def water_transmittance(wavelengths: ArrayLike, mass: Array, water: ArrayLike = 0.02) -> Array:
     """Share of a beam that passes precipitable `water`, m, shape (..., W) (A.1)."""
     return saturating(0.2385, 20.07, table_at("k_wa", wavelengths), mass * water)
 
 
-def beer(depth: np.ndarray, amount: Any) -> Array:
+def beer(depth: np.ndarray, amount: Array) -> Array:
     """exp(-depth amount) of a vertical optical depth (W,), shape (..., W)."""
     amount = floating(amount)
     return namespace(amount).exp(-amount[..., None] * constant(depth, amount))
 
 
-def saturating(strength: float, crowding: float, absorption: np.ndarray, amount: Any) -> Array:
+def saturating(strength: float, crowding: float, absorption: np.ndarray, amount: Array) -> Array:
     """exp(-strength k a / (1 + crowding k a)^0.45): bands of lines that saturate, shape (..., W) (A.1)."""
     amount = floating(amount)
     product = amount[..., None] * constant(absorption, amount)
@@ -129,7 +130,7 @@ class ClearAir:
         for name in ("beta", "ozone", "water"):
             require_least(name, getattr(self, name), 0)
 
-    def transmittance(self, sun: Array, wavelengths: Any) -> Array:
+    def transmittance(self, sun: Array, wavelengths: ArrayLike) -> Array:
         """Share of the light from `sun` (..., 3) that reaches the ground at (W,) nm, shape (..., W); 1 is all."""
         mass = self.optical_mass(zenith_angle(sun))
         beta = angstrom_beta(self.turbidity) if self.beta is None else self.beta
@@ -138,13 +139,13 @@ class ClearAir:
         ozone = ozone_transmittance(wavelengths, mass, floating(self.ozone, like=mass))
         return haze * gases * ozone * water_transmittance(wavelengths, mass, floating(self.water, like=mass))
 
-    def above(self, wavelengths: Any) -> np.ndarray:
+    def above(self, wavelengths: ArrayLike) -> np.ndarray:
         """Normal irradiance above the air at 1 AU, W m-2 nm-1, (W,)."""
         if self.extraterrestrial is not None:
             return self.extraterrestrial.at(wavelengths)
         return SOLID_ANGLE * table_at("sun_radiance", wavelengths)
 
-    def irradiance(self, sun: Array, wavelengths: Any) -> Array:
+    def irradiance(self, sun: Array, wavelengths: ArrayLike) -> Array:
         """Irradiance on a plane that faces `sun` (..., 3), W m-2 nm-1, shape (..., W), at 1 AU; 0 for a sun below.
 
         Multiply by `earth_sun_distance(time) ** -2` for a date.
@@ -155,7 +156,7 @@ class ClearAir:
         up = is_day(sun)[..., None]
         return namespace(sun).where(up, light, light * 0)
 
-    def radiance(self, sun: Array, wavelengths: Any) -> Array:
+    def radiance(self, sun: Array, wavelengths: ArrayLike) -> Array:
         """Mean radiance of the sun's disc seen from the ground, W m-2 nm-1 sr-1, shape (..., W)."""
         return self.irradiance(sun, wavelengths) / SOLID_ANGLE
 

@@ -3,9 +3,8 @@
 Turbidity T here is Preetham's: the optical thickness of gas and haze over that of gas alone, at 550 nm.
 """
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.scattering import HAZE_DECAY, gas_total, haze_total
 from skydome.air.transmittance import angstrom_beta
@@ -32,7 +31,7 @@ def meteorological_range(turbidity: Array) -> Array:
     return -np.log(CONTRAST) / (haze + float(gas_total([550.0])[0]))
 
 
-def from_meteorological_range(metres: Any) -> Array:
+def from_meteorological_range(metres: Array) -> Array:
     """Turbidity of the air in which one sees that far, the inverse of `meteorological_range`, same shape.
 
     ValueError unless positive and at most what molecules alone allow (about 280 km).
@@ -65,7 +64,7 @@ def haze_thickness(turbidity: Array) -> Array:
     return haze_total([550.0], turbidity)[..., 0] / HAZE_DECAY
 
 
-def linke_of(turbidity: Any) -> np.ndarray:
+def linke_of(turbidity: ArrayLike) -> np.ndarray:
     """Linke's factor at air mass 2 of the paper's clear air, same shape: all light, not the visible alone.
 
     Molecules, ozone and 2 cm of water by Kasten's (1996) clean dry air (1 / (9.4 + 0.9 m)); haze by Angstrom.
@@ -86,7 +85,7 @@ def kasten_1996(haze_thickness_at_700: np.ndarray, mass: float = 2.0, water: flo
     return linke
 
 
-def from_linke(linke: Any) -> np.ndarray:
+def from_linke(linke: ArrayLike) -> np.ndarray:
     """Turbidity whose haze gives Linke's factor at air mass 2 with 2 cm of water, same shape, at least 1.
 
     By Kasten's relation between Linke's factor and the haze's thickness at 700 nm (`kasten_1996`) and Angstrom's

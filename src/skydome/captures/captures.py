@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.captures.high_dynamic_range import require_hdr
 from skydome.captures.level_probe import LevelProbe
@@ -67,7 +68,7 @@ class Capture:
         cls,
         picture: EnvironmentMap,
         name: str = "capture",
-        sun: Any = None,
+        sun: ArrayLike | None = None,
         sky: np.ndarray | None = None,
         time: Any = None,
         horizon: float = 0.0,

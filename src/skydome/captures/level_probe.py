@@ -1,9 +1,9 @@
 """Light probes: circular maps of the whole sphere whose middle looks level to the north, as mirror balls do."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.maps.fisheye import Fisheye
 from skydome.maps.projection import ALL_ROWS, Projection, Texels
@@ -29,12 +29,12 @@ class LevelProbe(Projection):
         """Rows and columns (height, height)."""
         return self.disc.shape(height)
 
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3): the disc's zenith becomes the north, its north the zenith, its east the west."""
         x, y, z = np.moveaxis(self.disc.toward(row, column, height), -1, 0)
         return np.stack([-x, z, y], axis=-1)
 
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3) and whether they are covered."""
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
         return self.disc.pixels(np.stack([-x, z, y], axis=-1), height)

@@ -1,9 +1,9 @@
 """Where the sun stands in a captured map: its disc where it is seen, its glow where it is hidden or burnt out."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.captures.sky_glow import DOUBT, LEAST_SHARE, LEAST_STRENGTH, glow_centre
 from skydome.ground.directions import angle_between, elevation, unit
@@ -145,7 +145,7 @@ def disc_centre(
     return centre
 
 
-def sun_pixels(picture: EnvironmentMap, sun: Any, threshold: float | None = None) -> np.ndarray:
+def sun_pixels(picture: EnvironmentMap, sun: ArrayLike, threshold: float | None = None) -> np.ndarray:
     """True for texels (H, W) that show the sun: within 5 degrees of it and brighter than `threshold`, cd m-2.
 
     Default threshold: 4 times the median of the ring 5 to 8 degrees from the sun, which leaves a clear sky's aureole.

@@ -1,8 +1,7 @@
 """The mean light of each patch of the sky, to a stated error: finer where the sky is steep."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.dome.patches import Patches, patches
@@ -41,7 +40,7 @@ def patch_means(sky: Sky, division: "str | Patches" = "tregenza", tolerance: flo
     return means
 
 
-def unsettled(before: Any, after: Any, tolerance: float) -> np.ndarray:
+def unsettled(before: ArrayLike, after: ArrayLike, tolerance: float) -> np.ndarray:
     """Indices of the patches (..., N) that changed by more than `tolerance` of themselves."""
     old, new = as_numpy(before), as_numpy(after)
     changed = np.abs(new - old) > tolerance * np.abs(new)

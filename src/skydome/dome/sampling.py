@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.ground.arrays import Array, as_numpy, constant
@@ -112,7 +113,7 @@ class SkySampler:
     like: Any = None
 
     @classmethod
-    def of(cls, sky: Sky, normal: Any = None) -> "SkySampler":
+    def of(cls, sky: Sky, normal: Array | None = None) -> "SkySampler":
         """The sampler of one sky; ValueError where it is black, or stands for many conditions at once."""
         suns, rest = discs_and_rest(sky)
         like = own_array(sky)
@@ -128,7 +129,7 @@ class SkySampler:
         discs = tuple(Disc(as_numpy(disc.sun).astype(np.float64), float(disc.angular_radius)) for disc, _ in suns)
         return cls(Dome(held / held.sum()), discs, np.array(amounts) / total, like)
 
-    def sample(self, n: int, seed: Any) -> tuple[Array, Array]:
+    def sample(self, n: int, seed: int | np.random.Generator) -> tuple[Array, Array]:
         """Directions (n, 3) and their probability densities (n,), sr-1, in the library and dtype of the sky."""
         if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
             raise ValueError(f"n must be a whole number of directions, at least 0, got {n!r}")
@@ -141,7 +142,7 @@ class SkySampler:
             directions = constant(directions, self.like)
         return directions, self.density(directions)
 
-    def density(self, directions: Any) -> Array:
+    def density(self, directions: Array) -> Array:
         """Probability density with which `sample` gives each direction (..., 3), sr-1, shape (...,)."""
         directions = checked_directions(directions)
         v = as_numpy(directions).astype(np.float64).reshape(-1, 3)
@@ -171,7 +172,7 @@ def node_luminance(skies: list[Sky], nodes: np.ndarray, like: Any) -> np.ndarray
     return total
 
 
-def disc_light(disc: SunDisc, factor: Any, normal: Any) -> float:
+def disc_light(disc: SunDisc, factor: ArrayLike, normal: ArrayLike | None) -> float:
     """Illuminance of a disc on a plane that faces `normal`, or on one that faces the disc (None), lx."""
     light, sun = as_numpy(disc.normal_xyz), as_numpy(disc.sun)
     if light.shape != (3,):
@@ -179,7 +180,7 @@ def disc_light(disc: SunDisc, factor: Any, normal: Any) -> float:
     return float(light[1] * as_numpy(factor) * received(sun, normal))
 
 
-def received(directions: np.ndarray, normal: Any) -> Any:
+def received(directions: np.ndarray, normal: ArrayLike | None) -> Any:
     """Cosine by which a plane that faces `normal` (3,) receives light from directions (..., 3); 1 where it is None."""
     if normal is None:
         return 1.0
@@ -189,7 +190,9 @@ def received(directions: np.ndarray, normal: Any) -> Any:
     return np.maximum(directions @ normal, 0.0)
 
 
-def sample(sky: Sky, n: int, seed: Any, *, normal: Any = None) -> tuple[Array, Array]:
+def sample(
+    sky: Sky, n: int, seed: int | np.random.Generator, *, normal: ArrayLike | None = None
+) -> tuple[Array, Array]:
     """n random directions (n, 3) toward a sky's light, and their probability densities (n,), sr-1.
 
     The densities follow the luminance, the sun's disc included, or with `normal` (3,) the light that a plane facing it
@@ -209,7 +212,7 @@ def sample(sky: Sky, n: int, seed: Any, *, normal: Any = None) -> tuple[Array, A
     return SkySampler.of(sky, normal).sample(n, seed)
 
 
-def sample_density(sky: Sky, directions: Any, *, normal: Any = None) -> Array:
+def sample_density(sky: Sky, directions: ArrayLike, *, normal: ArrayLike | None = None) -> Array:
     """Probability density with which `sample` gives each direction (..., 3), sr-1, shape (...,).
 
     >>> import skydome as sd

@@ -9,9 +9,10 @@ and as classes that are normalised over the half sphere in front of the eye, so 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.units import deg
@@ -42,7 +43,7 @@ def bloom(angle: Array) -> Array:
     return 72.37 / (angle / deg + 0.02) ** 2
 
 
-def lenticular_halo(angle: Array, wavelength: Any) -> Array:
+def lenticular_halo(angle: Array, wavelength: ArrayLike) -> Array:
     """Spencer's f3, the lens's grating of fibres: a ring at 3 degrees x wavelength / 568 nm, sr^-1; angle in radians.
 
     Red lies outside, as in a rainbow's first order: diffraction.
@@ -52,7 +53,7 @@ def lenticular_halo(angle: Array, wavelength: Any) -> Array:
     return 436.9 / stretch * xp.exp(-19.75 * (angle / deg - 3 * stretch) ** 2)
 
 
-def cie_total(angle: Array, age: Any = 35.0, pigment: Any = 0.5) -> Array:
+def cie_total(angle: Array, age: ArrayLike = 35.0, pigment: ArrayLike = 0.5) -> Array:
     """Total glare function of CIE 135/1 (Vos and van den Berg 1999), as published, sr^-1; angle in radians.
 
     `age` in years, `pigment` as in `PIGMENTS`. Its integral is 1.00-1.07 at 35 years, up to 1.39 at 100.
@@ -70,7 +71,7 @@ def cie_total(angle: Array, age: Any = 35.0, pigment: Any = 0.5) -> Array:
     return (1 - 0.08 * q) * point + (1 + 1.6 * q) * (lens + iris) + 2.5e-3 * p
 
 
-def stiles_holladay(angle: Array, age: Any = 0.0) -> Array:
+def stiles_holladay(angle: Array, age: ArrayLike = 0.0) -> Array:
     """Veil per illuminance, sr^-1: 10 (1 + (age / 70)^4) / angle^2, the angle in degrees (CIE 146); for 1-30 degrees.
 
     >>> round(float(stiles_holladay(10 * deg, 70.0)), 12)
@@ -114,7 +115,7 @@ class PointSpread(ABC):
         value = self.published(angle) / self.integral
         return xp.where(angle <= FIELD, value, xp.zeros_like(value))
 
-    def within(self, angle: Any) -> np.ndarray:
+    def within(self, angle: Array) -> np.ndarray:
         """Share of the light within each angle of the point, 0..1, shape of angle."""
         knots = rings()
         middle = (knots[1:] + knots[:-1]) / 2

@@ -4,9 +4,9 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
@@ -54,11 +54,11 @@ class Frame(ABC):
         """Rows and columns."""
 
     @abstractmethod
-    def toward(self, row: Any, column: Any) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous pixel coordinates; pixel (i, j) has its centre at i + .5, j + .5."""
 
     @abstractmethod
-    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+    def place(self, directions: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Continuous pixel coordinates (row, column) of directions (..., 3), NaN for what the picture cannot show."""
 
     @abstractmethod
@@ -154,19 +154,19 @@ class Camera(Frame):
         """Width of the pixel in the middle, radians (tangent of its angle)."""
         return 2 * math.tan(self.field_of_view / 2) / self.width
 
-    def plane(self, row: Any, column: Any) -> tuple[np.ndarray, np.ndarray]:
+    def plane(self, row: ArrayLike, column: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Tangents to the right and up of continuous pixel coordinates."""
         rows, columns = self.shape
         return (np.asarray(column) - columns / 2) * self.pixel, (rows / 2 - np.asarray(row)) * self.pixel
 
-    def toward(self, row: Any, column: Any) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous pixel coordinates."""
         x, y = np.broadcast_arrays(*self.plane(row, column))
         flat: np.ndarray = np.stack([x, y, np.ones_like(x)], axis=-1) @ self.axes
         flat /= np.sqrt(1 + x * x + y * y)[..., None]
         return flat
 
-    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+    def place(self, directions: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Continuous pixel coordinates (row, column) of directions (..., 3), outside the picture too; NaN behind it."""
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64) @ self.axes.T, -1, 0)
         depth = np.where(z > 1e-9, z, np.nan)
@@ -180,7 +180,7 @@ class Camera(Frame):
         angles: np.ndarray = self.pixel**2 / (1 + x * x + y * y) ** 1.5
         return angles
 
-    def solid_angle_toward(self, directions: Any) -> np.ndarray:
+    def solid_angle_toward(self, directions: ArrayLike) -> np.ndarray:
         """Solid angle, sr, of a pixel in each direction (..., 3), shape (...,); 0 behind the camera."""
         ahead = np.asarray(directions, dtype=np.float64) @ self.forward
         return np.where(ahead > 1e-9, self.pixel**2 * ahead**3, 0.0)
@@ -215,7 +215,7 @@ class HalfSphere(Frame):
         """Rows and columns."""
         return self.side, self.side
 
-    def toward(self, row: Any, column: Any) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike) -> np.ndarray:
         """Unit vectors (..., 3); the corners look behind."""
         x, y = np.broadcast_arrays(2 * np.asarray(column) / self.side - 1, 1 - 2 * np.asarray(row) / self.side)
         radius = np.hypot(x, y)
@@ -224,7 +224,7 @@ class HalfSphere(Frame):
         vectors: np.ndarray = np.stack([x * scale, y * scale, np.cos(angle)], axis=-1) @ self.axes
         return vectors
 
-    def place(self, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+    def place(self, directions: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Continuous pixel coordinates (row, column) of directions (..., 3); NaN behind the eye."""
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64) @ self.axes.T, -1, 0)
         across = np.hypot(x, y)

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.extras import required
 from skydome.ground.writing import appearing
@@ -13,6 +14,7 @@ from skydome.skies.sky import Sky
 from skydome.sun.day import is_day
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 SIDE = 720
@@ -27,7 +29,7 @@ SunPath = tuple[np.ndarray, np.ndarray, list[str]]
 """Directions along the day (N, 3), those at whole hours (K, 3), and the hours' labels."""
 
 
-def sky_figure(sky: Sky, sun: Any = None, path: SunPath | None = None, title: str = "") -> "Figure":
+def sky_figure(sky: Sky, sun: ArrayLike | None = None, path: SunPath | None = None, title: str = "") -> "Figure":
     """A figure of the luminance of one sky, cd m-2 in log false colour, equidistant: zenith in the middle.
 
     North is up and east at the left, as one sees the sky looking up. `sun` (3,) is marked, `path` drawn with its hours.
@@ -61,7 +63,7 @@ def on_disc(directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return column - 1, 1 - row
 
 
-def draw_luminance(figure: Any, axes: Any, sky: Sky) -> None:
+def draw_luminance(figure: "Figure", axes: "Axes", sky: Sky) -> None:
     """The false colour and its bar; black sky and what lies outside the disc stay blank."""
     from matplotlib.colors import LogNorm, Normalize
 
@@ -94,7 +96,7 @@ def ticks(low: float, high: float) -> list[float]:
     return inside if len(inside) > 1 else [low, high]
 
 
-def draw_compass(axes: Any) -> None:
+def draw_compass(axes: "Axes") -> None:
     """Cardinal points, azimuth ticks each 30 degrees, rings at 30 and 60 degrees of elevation, and the horizon."""
     from matplotlib.patches import Circle
 
@@ -114,7 +116,7 @@ def draw_compass(axes: Any) -> None:
     axes.set_axis_off()
 
 
-def draw_path(axes: Any, along: np.ndarray, hours: np.ndarray, labels: list[str]) -> None:
+def draw_path(axes: "Axes", along: np.ndarray, hours: np.ndarray, labels: list[str]) -> None:
     """The sun's path above the horizon, with a dot and a number at each hour."""
     from matplotlib.patheffects import Normal, Stroke
 

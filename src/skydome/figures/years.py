@@ -10,6 +10,7 @@ from skydome.maps.projections import Fisheye
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
@@ -73,7 +74,7 @@ def by_hour_and_day(data: "xarray.Dataset", values: np.ndarray) -> np.ndarray:
     return np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0)
 
 
-def draw_hours(figure: Any, axes: Any, data: "xarray.Dataset", values: np.ndarray, label: str) -> None:
+def draw_hours(figure: "Figure", axes: "Axes", data: "xarray.Dataset", values: np.ndarray, label: str) -> None:
     """One heat map, midnight at the bottom."""
     table = by_hour_and_day(data, values / 1000)
     axes.set_facecolor("0.6")
@@ -90,7 +91,7 @@ def draw_hours(figure: Any, axes: Any, data: "xarray.Dataset", values: np.ndarra
     figure.colorbar(image, ax=axes, label=label, pad=0.01)
 
 
-def draw_months(figure: Any, data: "xarray.Dataset") -> None:
+def draw_months(figure: "Figure", data: "xarray.Dataset") -> None:
     """Twelve round pictures of mean luminance on one scale."""
     from matplotlib.colors import LogNorm
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.fitting.determination import centred, degenerate_names, errors_by_name, rivalled_names
 from skydome.fitting.samples import Samples, samples_of
@@ -13,6 +14,7 @@ from skydome.fitting.starting import starts
 from skydome.fitting.unknowns import Problem
 from skydome.ground.extras import required
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.maps.environment_map import EnvironmentMap
 from skydome.skies.sky import Sky
 
 MOST_SAMPLES = 40_000
@@ -167,13 +169,13 @@ def report(problem: Problem, samples: Samples, objective: Objective, answer: Any
 
 def fit(
     model: type[Sky],
-    directions: Any,
-    observed: Any = None,
+    directions: ArrayLike | EnvironmentMap,
+    observed: ArrayLike | EnvironmentMap | None = None,
     *,
-    mask: Any = None,
+    mask: ArrayLike | None = None,
     initial: Mapping[str, Any] | None = None,
     free: Sequence[str] | None = None,
-    weights: Any = None,
+    weights: ArrayLike | None = None,
     space: RGBSpace | None = SRGB,
 ) -> Fit:
     """The `Fit` of a model to observed light: its conditions, their covariance, and what is left over.

@@ -1,8 +1,7 @@
 """Directions: unit vectors in the frame x east, y north, z up, that point toward the light."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, at_least, constant, floating, is_concrete, limited, namespace, safe_sqrt
 
@@ -22,7 +21,7 @@ WEST = -EAST
 """West on the horizon, (-1, 0, 0)."""
 
 
-def direction(azimuth: Any, elevation: Any) -> Array:
+def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     """Unit vectors toward azimuth (clockwise from north) and elevation, radians; shape (..., 3).
 
     >>> from skydome import deg
@@ -134,7 +133,7 @@ def unit(vectors: Array) -> Array:
     return v / length
 
 
-def checked_directions(directions: Any, name: str = "directions") -> Array:
+def checked_directions(directions: ArrayLike, name: str = "directions") -> Array:
     """The directions as a floating array (..., 3); ValueError for shape, NaN, or a length off 1 by more than 1e-3."""
     v = floating(directions)
     xp = namespace(v)
@@ -148,7 +147,7 @@ def checked_directions(directions: Any, name: str = "directions") -> Array:
     return v
 
 
-def rotate_about_vertical(directions: Array, angle: Any) -> Array:
+def rotate_about_vertical(directions: Array, angle: ArrayLike) -> Array:
     """Directions turned clockwise (seen from above) by `angle` radians: azimuth grows by it. Shape (..., 3)."""
     xp = namespace(directions, angle)
     angle = floating(angle, like=directions)

@@ -106,13 +106,13 @@ def read(
     return pixels, stated
 
 
-def damaged(path: Any, error: Exception) -> ValueError:
+def damaged(path: str | PathLike[str], error: Exception) -> ValueError:
     """The one-line error for a file that OpenEXR cannot read."""
     reason = str(error).strip().splitlines()
     return ValueError(f"cannot read {path}, which is damaged or not supported: {reason[0] if reason else type(error)}")
 
 
-def require_readable(stated: Mapping[str, Any], max_bytes: int, path: Any) -> None:
+def require_readable(stated: Mapping[str, Any], max_bytes: int, path: str | PathLike[str]) -> None:
     """ValueError where R, G or B is missing or subsampled, or where the size is wrong or above `max_bytes`."""
     channels = {channel.name: channel for channel in stated.get("channels", [])}
     missing = [name for name in "RGB" if name not in channels]

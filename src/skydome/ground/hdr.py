@@ -36,7 +36,7 @@ def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, An
         file.write(scanlines.tobytes())
 
 
-def one_line(value: Any) -> str:
+def one_line(value: object) -> str:
     """The value as text without line breaks."""
     return " ".join(str(value).split())
 
@@ -102,7 +102,7 @@ def header(path: str | PathLike[str]) -> tuple[dict[str, str], tuple[int, int]]:
     return stated, size
 
 
-def parsed_header(data: bytes, path: Any) -> tuple[dict[str, str], tuple[int, int], int]:
+def parsed_header(data: bytes, path: str | PathLike[str]) -> tuple[dict[str, str], tuple[int, int], int]:
     """Header values by name, (rows, columns), and where the scanlines start."""
     end = data.find(b"\n\n", 0, MAX_HEADER)
     stop = data.find(b"\n", end + 2, end + 200)
@@ -124,7 +124,7 @@ def parsed_header(data: bytes, path: Any) -> tuple[dict[str, str], tuple[int, in
     return stated | {"EXPOSURE": repr(exposure)}, checked_size(int(size[1]), int(size[3]), path), stop + 1
 
 
-def positive(text: str, path: Any) -> float:
+def positive(text: str, path: str | PathLike[str]) -> float:
     """A positive number, or ValueError."""
     try:
         number = float(text)
@@ -135,7 +135,7 @@ def positive(text: str, path: Any) -> float:
     return number
 
 
-def checked_size(rows: int, columns: int, path: Any) -> tuple[int, int]:
+def checked_size(rows: int, columns: int, path: str | PathLike[str]) -> tuple[int, int]:
     """(rows, columns), or ValueError where one is 0."""
     if rows < 1 or columns < 1:
         raise ValueError(f"a picture must have rows and columns, got {columns} x {rows} in {path}")

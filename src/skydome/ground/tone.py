@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 MIDDLE_GREY = 0.18
 BLEACH = 4.0  # peak value at which a colour has lost a quarter of its saturation
@@ -65,7 +66,7 @@ def tone_mapped(rgb: np.ndarray, curve: Curve) -> np.ndarray:
     return shown
 
 
-def auto_exposure(luminance: np.ndarray, solid_angles: Any = 1.0) -> float:
+def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float:
     """Factor that brings the scene's usual luminance, its logarithmic mean, to middle grey (Reinhard 2002, eq. 1).
 
     `luminance` (H, W) counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of the

@@ -12,9 +12,10 @@ tau by a difference over cos t | by phi(z) = (1 - exp(-z)) / z | exact for level
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import Array, at_least, constant, namespace, safe_divide
@@ -170,7 +171,9 @@ def scaled_to_extinction(haze: Array, gas: Array, ray: Ray, air: Coefficients) -
     return haze * factor, gas * factor
 
 
-def coefficients_like(haze: Any, gas: Any, haze_550: Any, gas_550: Any, like: Array) -> Coefficients:
+def coefficients_like(
+    haze: ArrayLike, gas: ArrayLike, haze_550: ArrayLike, gas_550: ArrayLike, like: Array
+) -> Coefficients:
     """Coefficients in the library and dtype of `like`; arrays of its library pass."""
     parts = [
         constant(part, like) if isinstance(part, np.ndarray | float | list) else part

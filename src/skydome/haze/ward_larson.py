@@ -1,7 +1,6 @@
 """Ward-Larson's fog, the older form of aerial perspective, as Preetham 1999, section 5 compares itself with it."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -48,7 +47,7 @@ class WardLarson:
             total = total + constant(weights, light) @ light
         return total
 
-    def at(self, distance: Any, direction: Any, height: Any = 0.0) -> AerialPerspective:
+    def at(self, distance: Array, direction: Array, height: Array = 0.0) -> AerialPerspective:
         """Transmittance and in-scattered light, each (..., C), of rays of `distance` m from `height` m."""
         direction = checked_directions(direction, "direction")
         distance, height = checked(distance, direction, "distance", 0.0), checked(height, direction, "height")

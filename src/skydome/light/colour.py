@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide, settled
 
@@ -119,7 +119,7 @@ RADIANCE = RGBSpace("Radiance", (0.640, 0.330), (0.290, 0.600), (0.150, 0.060), 
 """Radiance's own RGB (src/common/color.h), equal-energy white; plain colorimetry: its files state their primaries."""
 
 
-def xyz_from_xyY(xyY: Any) -> Array:
+def xyz_from_xyY(xyY: Array) -> Array:
     """XYZ (..., 3) of CIE x, y, Y (..., 3) (seed 000, eq. 27); black where y = 0, which no light has.
 
     >>> xyz_from_xyY([0.25, 0.5, 10.0]).tolist()
@@ -132,7 +132,7 @@ def xyz_from_xyY(xyY: Any) -> Array:
     return xp.stack([scale * x, scale * y, scale * (1 - x - y)], axis=-1)
 
 
-def xyY_from_xyz(xyz: Any) -> Array:
+def xyY_from_xyz(xyz: Array) -> Array:
     """CIE x, y, Y (..., 3) of XYZ (..., 3) (inverse of seed 000, eq. 27); black has the chromaticity of D65.
 
     >>> xyY_from_xyz([[5.0, 10.0, 5.0], [0.0, 0.0, 0.0]]).tolist()
@@ -145,7 +145,7 @@ def xyY_from_xyz(xyz: Any) -> Array:
     return xp.stack([x, y, xyz[..., 1]], axis=-1)
 
 
-def rgb_from_xyz(xyz: Any, space: RGBSpace = SRGB) -> Array:
+def rgb_from_xyz(xyz: ArrayLike, space: RGBSpace = SRGB) -> Array:
     """Linear RGB (..., 3) of XYZ (..., 3), in the unit of Y: a white of 1 cd m-2 is (1, 1, 1); not clipped.
 
     Colours outside the space have negative parts. Seed 000, eq. 28, with the matrix of `space`.
@@ -157,7 +157,7 @@ def rgb_from_xyz(xyz: Any, space: RGBSpace = SRGB) -> Array:
     return xyz @ constant(space.from_xyz.T, xyz)
 
 
-def xyz_from_rgb(rgb: Any, space: RGBSpace = SRGB) -> Array:
+def xyz_from_rgb(rgb: ArrayLike, space: RGBSpace = SRGB) -> Array:
     """XYZ (..., 3) of linear RGB (..., 3): the inverse of `rgb_from_xyz`.
 
     >>> xyz_from_rgb([1.0, 1.0, 1.0], RADIANCE).round(12).tolist()
@@ -167,7 +167,7 @@ def xyz_from_rgb(rgb: Any, space: RGBSpace = SRGB) -> Array:
     return rgb @ constant(space.to_xyz.T, rgb)
 
 
-def encode_srgb(linear: Any) -> Array:
+def encode_srgb(linear: Array) -> Array:
     """Encoded sRGB values R' of linear ones, same shape (seed 000, eq. 29); f(-R) = -f(R), and nothing is clipped.
 
     >>> encode_srgb([-1.0, 0.0, 0.001, 0.5, 1.0]).round(6).tolist()
@@ -181,7 +181,7 @@ def encode_srgb(linear: Any) -> Array:
     return xp.where(high, xp.sign(linear) * power, 12.92 * linear)
 
 
-def decode_srgb(encoded: Any) -> Array:
+def decode_srgb(encoded: Array) -> Array:
     """Linear values of sRGB ones, same shape: the inverse of `encode_srgb` (seed 000, eq. 29), odd as well.
 
     The branches part at 12.92 x 0.0031308, the image of eq. 29's own limit (IEC prints 0.04045). Eq. 29 steps down by

@@ -1,9 +1,9 @@
 """Colour temperature: Planck's law, the nearest black body to a colour, and the distance to it."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import as_numpy
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
@@ -21,7 +21,7 @@ COOLEST = 800.0
 """Lowest temperature of the Planckian locus that is searched, K."""
 
 
-def planck(wavelengths: Any, temperature: Any) -> np.ndarray:
+def planck(wavelengths: ArrayLike, temperature: ArrayLike) -> np.ndarray:
     """Spectral radiance of black bodies, W m-2 sr-1 nm-1, shape (..., W), in vacuum (n = 1).
 
     `wavelengths` (W,) in nm, `temperature` (...,) in K, > 0. Planck's law, in the form that stays exact for hot bodies.
@@ -46,7 +46,7 @@ def _quantum_factor(metres: np.ndarray, per_kelvin: np.ndarray) -> np.ndarray:
     return result
 
 
-def uv_from_xyz(xyz: Any) -> np.ndarray:
+def uv_from_xyz(xyz: ArrayLike) -> np.ndarray:
     """CIE 1960 u, v of XYZ (..., 3), shape (..., 2); NaN for black.
 
     >>> uv_from_xyz([1.0, 1.0, 1.0]).round(4).tolist()
@@ -97,7 +97,7 @@ def _nearest(uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return mired, np.where(above, 1.0, -1.0) * np.linalg.norm(offset, axis=-1)
 
 
-def colour_temperature(xyz: Any) -> np.ndarray:
+def colour_temperature(xyz: ArrayLike) -> np.ndarray:
     """Correlated colour temperature of XYZ (..., 3), K, shape (...,).
 
     The black body nearest in CIE 1960 u, v (CIE 15). Infinity for colours bluer than the hottest black body (much of a
@@ -116,7 +116,7 @@ def colour_temperature(xyz: Any) -> np.ndarray:
     return result
 
 
-def duv(xyz: Any) -> np.ndarray:
+def duv(xyz: ArrayLike) -> np.ndarray:
     """Distance of XYZ (..., 3) from the Planckian locus in CIE 1960 u, v, shape (...,); positive above it (greenish).
 
     For colours beyond the ends of the locus: the distance to the end. NaN for black.

@@ -1,8 +1,7 @@
 """Daylight: the spectrum of the CIE D series that has a given colour and luminance (Preetham 1999, A.5, Table 2)."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, floating, safe_divide, settled
 from skydome.ground.tables import columns
@@ -25,7 +24,7 @@ RANGE = (380.0, 780.0)
 
 
 @settled
-def daylight_basis(wavelengths: Any) -> np.ndarray:
+def daylight_basis(wavelengths: ArrayLike) -> np.ndarray:
     """S0, S1, S2 of the CIE daylight at `wavelengths` (W,), nm, shape (3, W), relative; linear between 10 nm steps.
 
     Preetham 1999, Table 2 (Judd, MacAdam, Wyszecki 1964). ValueError outside 380-780 nm.
@@ -37,7 +36,7 @@ def daylight_basis(wavelengths: Any) -> np.ndarray:
     return interpolated(w, table["wavelength_nm"], np.stack([table[name] for name in ("S0", "S1", "S2")]))
 
 
-def daylight_spectrum(xyz: Any, wavelengths: Any) -> Array:
+def daylight_spectrum(xyz: Array, wavelengths: Array) -> Array:
     """Spectral radiance of the daylight with the colour `xyz` (..., 3), W m-2 sr-1 nm-1, shape (..., W).
 
     Y of `xyz` is in cd m-2 and is kept: the spectrum over 380-780 nm integrates to it. Chromaticity is matched as well
@@ -57,7 +56,7 @@ def daylight_spectrum(xyz: Any, wavelengths: Any) -> Array:
     return safe_divide(xyz[..., 1], xyz @ luminance)[..., None] * (xyz @ relative)
 
 
-def daylight_weights(wavelengths: Any) -> tuple[np.ndarray, np.ndarray]:
+def daylight_weights(wavelengths: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """What `daylight_spectrum` multiplies XYZ by: the relative spectrum's matrix (W, 3), its luminance's row (3,)."""
     basis, table = daylight_basis(wavelengths), columns("preetham_1999_table_2")["wavelength_nm"]
     luminances = daylight_basis(table) @ xyz_weights(table)[:, 1]

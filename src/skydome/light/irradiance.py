@@ -11,9 +11,8 @@ Weather files keep them all (`years/weather`). `PerezAllWeather`, made by hand, 
 `years/gendaymtx/matrix.py`.
 """
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.units import deg
 
@@ -46,7 +45,7 @@ def without_offsets(values: np.ndarray) -> np.ndarray:
     return held
 
 
-def normal_from_horizontal(direct: Any, sine: Any) -> np.ndarray:
+def normal_from_horizontal(direct: ArrayLike, sine: ArrayLike) -> np.ndarray:
     """Direct normal irradiance of the direct irradiance on the horizontal, W m-2, by the sine of the sun's elevation.
 
     >>> normal_from_horizontal(350.0, 0.5).item(), round(normal_from_horizontal(1.0, 0.0).item(), 1)

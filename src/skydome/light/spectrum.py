@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, floating, settled
 from skydome.ground.tables import columns
@@ -34,12 +35,12 @@ class Spectrum:
             array.flags.writeable = False
             object.__setattr__(self, name, array)
 
-    def at(self, wavelengths: Any) -> np.ndarray:
+    def at(self, wavelengths: ArrayLike) -> np.ndarray:
         """Values at `wavelengths` (V,), nm: linear between the samples, the end values held outside; shape (..., V)."""
         return interpolated(np.asarray(wavelengths, dtype=np.float64), self.wavelengths, self.values)
 
 
-def checked_wavelengths(wavelengths: Any) -> np.ndarray:
+def checked_wavelengths(wavelengths: ArrayLike) -> np.ndarray:
     """`wavelengths` as a new float64 array (W,), nm; ValueError unless positive, finite and increasing."""
     w = np.array(wavelengths, dtype=np.float64, ndmin=1)
     if w.ndim != 1 or w.size == 0:
@@ -61,7 +62,7 @@ def interpolated(at: np.ndarray, knots: np.ndarray, values: np.ndarray) -> np.nd
     return result
 
 
-def cie_1931(wavelengths: Any) -> np.ndarray:
+def cie_1931(wavelengths: ArrayLike) -> np.ndarray:
     """Colour matching functions x, y, z of the CIE 1931 2-degree observer, shape (W, 3), dimensionless.
 
     The table at 1 nm (CIE 15; `ground/data/cie_1931_2deg.csv`), linear in between, 0 outside 360-830 nm.
@@ -75,7 +76,7 @@ def cie_1931(wavelengths: Any) -> np.ndarray:
 
 
 @settled
-def xyz_weights(wavelengths: Any) -> np.ndarray:
+def xyz_weights(wavelengths: ArrayLike) -> np.ndarray:
     """Weights (W, 3), float64, such that `radiance @ weights` is XYZ with Y in cd m-2; W >= 2.
 
     `radiance` (..., W) is in W m-2 sr-1 nm-1 at `wavelengths` (W,). The product is the exact integral of 683 lm W-1
@@ -114,7 +115,7 @@ def _hats(wavelengths: np.ndarray, sample: np.ndarray, left: np.ndarray, right: 
     return (sample, 1 - start, 1 - end), (sample + 1, start, end)
 
 
-def xyz_from_radiance(radiance: Array, wavelengths: Any) -> Array:
+def xyz_from_radiance(radiance: Array, wavelengths: ArrayLike) -> Array:
     """CIE XYZ (..., 3), Y in cd m-2, of spectral radiance (..., W), W m-2 sr-1 nm-1, at `wavelengths` (W,), nm.
 
     Any array library; linear in the radiance. See `xyz_weights` for what is integrated.

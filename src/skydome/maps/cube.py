@@ -2,9 +2,9 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
@@ -37,18 +37,18 @@ class CubeMap(Projection):
         height = checked_height(height, 6, 6, "a cube map's strip of six faces")
         return height, height // 6
 
-    def face_plane(self, row: Any, column: Any, height: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def face_plane(self, row: ArrayLike, column: ArrayLike, height: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Face index and the position (s to the right, t down, each -1..1) on its face, broadcast together."""
         side = self.shape(height)[1]
         row, column = np.broadcast_arrays(np.asarray(row, np.float64), np.asarray(column, np.float64))
         face = np.clip(row // side, 0, 5).astype(np.intp)
         return face, 2 * column / side - 1, 2 * (row - face * side) / side - 1
 
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous texel coordinates."""
         return toward_face(*self.face_plane(row, column, height))
 
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3); every direction is covered."""
         side = self.shape(height)[1]
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)

@@ -6,6 +6,7 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.maps.equirectangular import Equirectangular
@@ -28,7 +29,7 @@ class EnvironmentMap(MapPixels):
     2.0
     """
 
-    def sample(self, directions: Any) -> np.ndarray:
+    def sample(self, directions: ArrayLike) -> np.ndarray:
         """Linear RGB (..., 3) toward unit vectors (..., 3), blended between texel centres; 0 where not covered.
 
         Neighbours are found across the seam, the poles and the edges of cube faces.
@@ -37,12 +38,12 @@ class EnvironmentMap(MapPixels):
         values *= covered[..., None]
         return values
 
-    def sample_luminance(self, directions: Any) -> np.ndarray:
+    def sample_luminance(self, directions: ArrayLike) -> np.ndarray:
         """Luminance toward unit vectors (..., 3), cd m-2, shape (...,), blended between texel centres."""
         brightness: np.ndarray = self.sample(directions) @ self.space.to_xyz[1] * self.white_luminance
         return brightness
 
-    def illuminance(self, normal: Any = ZENITH) -> np.ndarray:
+    def illuminance(self, normal: ArrayLike = ZENITH) -> np.ndarray:
         """Illuminance on surfaces that face `normal` (..., 3), lx, shape (...,): the integral of L max(0, cos).
 
         Exact for the map taken as piecewise constant wherever a texel is wholly in front of the surface.

@@ -2,9 +2,9 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
@@ -25,7 +25,7 @@ class EqualAreaSquare(Projection):
         height = checked_height(height, 1, 1, "an equal-area square")
         return height, height
 
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous texel coordinates."""
         u, v = np.broadcast_arrays(2 * np.asarray(column) / height - 1, 2 * np.asarray(row) / height - 1)
         outside = np.abs(u) + np.abs(v) - 1  # > 0: the lower hemisphere
@@ -36,7 +36,7 @@ class EqualAreaSquare(Projection):
         up = np.copysign(1 - r * r, -outside)
         return np.stack([np.copysign(level * np.cos(phi), u), np.copysign(level * np.sin(phi), v), up], axis=-1)
 
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3); every direction is covered."""
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
         r = np.sqrt((x * x + y * y) / (1 + np.abs(z)))  # sqrt(1 - |z|) without its cancellation

@@ -2,9 +2,9 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
@@ -36,12 +36,12 @@ class Equirectangular(Projection):
         height = checked_height(height, 2, 2, "an equirectangular map")
         return height, 2 * height
 
-    def azimuths(self, column: Any, height: int) -> np.ndarray:
+    def azimuths(self, column: ArrayLike, height: int) -> np.ndarray:
         """Azimuth at continuous texel columns, radians, not reduced to one turn."""
         turn = 2 * np.pi * (np.asarray(column, dtype=np.float64) / self.shape(height)[1])
         return self.azimuth_left + (-turn if self.mirrored else turn)
 
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous texel coordinates."""
         azimuth = self.azimuths(column, height)
         elevation = np.pi * (0.5 - np.asarray(row, dtype=np.float64) / height)
@@ -49,7 +49,7 @@ class Equirectangular(Projection):
         up = np.broadcast_to(np.sin(elevation), np.broadcast_shapes(azimuth.shape, level.shape))
         return np.stack([np.sin(azimuth) * level, np.cos(azimuth) * level, up], axis=-1)
 
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3); every direction is covered."""
         rows, columns = self.shape(height)
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)

@@ -117,7 +117,8 @@ def provenance(environment: MapPixels, layout: Target | None) -> dict[str, Any]:
     return {f"skydome:{name}": value for name, value in facts.items()}
 
 
-def plain(value: Any) -> str | float:
+def plain(value: object) -> str | float:
     """A number as a float, all else as text."""
-    is_number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
-    return float(value) if is_number else str(value)
+    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
+        return float(value)
+    return str(value)

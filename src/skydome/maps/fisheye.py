@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, texel_centre, within
 
@@ -14,15 +15,15 @@ class Lens(ABC):
     """How far from the image's centre a lens puts an angle from its axis, before scaling to the image's rim."""
 
     @abstractmethod
-    def radius(self, angle: Any) -> Any:
+    def radius(self, angle: ArrayLike) -> Any:
         """Distance from the centre at an angle from the axis, radians."""
 
     @abstractmethod
-    def angle(self, radius: Any) -> Any:
+    def angle(self, radius: ArrayLike) -> Any:
         """Angle from the axis, radians, at a distance from the centre."""
 
     @abstractmethod
-    def density(self, radius: Any) -> Any:
+    def density(self, radius: ArrayLike) -> Any:
         """Solid angle per area, sr, at a distance from the centre."""
 
 
@@ -30,15 +31,15 @@ class Lens(ABC):
 class Equidistant(Lens):
     """r = angle: equal steps from zenith to horizon, as sky plots are drawn; over 360 degrees the angular map."""
 
-    def radius(self, angle: Any) -> Any:
+    def radius(self, angle: ArrayLike) -> Any:
         """The angle itself."""
         return angle
 
-    def angle(self, radius: Any) -> Any:
+    def angle(self, radius: ArrayLike) -> Any:
         """The radius itself."""
         return radius
 
-    def density(self, radius: Any) -> Any:
+    def density(self, radius: ArrayLike) -> Any:
         """sin(angle) / angle, 1 at the centre and 0 from pi on."""
         return np.maximum(np.sinc(np.minimum(radius, np.pi) / np.pi), 0.0)
 
@@ -47,15 +48,15 @@ class Equidistant(Lens):
 class Equisolid(Lens):
     """r = 2 sin(angle / 2): every texel has the same solid angle; over 360 degrees the mirror ball."""
 
-    def radius(self, angle: Any) -> Any:
+    def radius(self, angle: ArrayLike) -> Any:
         """Twice the sine of half the angle."""
         return 2 * np.sin(np.asarray(angle) / 2)
 
-    def angle(self, radius: Any) -> Any:
+    def angle(self, radius: ArrayLike) -> Any:
         """Twice the arcsine of half the radius."""
         return 2 * np.arcsin(np.clip(np.asarray(radius) / 2, -1.0, 1.0))
 
-    def density(self, radius: Any) -> Any:
+    def density(self, radius: ArrayLike) -> Any:
         """1 everywhere."""
         return np.ones(np.shape(radius))
 
@@ -89,7 +90,7 @@ class Fisheye(Projection):
         height = checked_height(height, 1, 2, "a fisheye map")
         return height, height
 
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous texel coordinates; outside the disc those of its rim."""
         west, south = np.broadcast_arrays(2 * np.asarray(column) / height - 1, 2 * np.asarray(row) / height - 1)
         distance = np.hypot(west, south)
@@ -97,7 +98,7 @@ class Fisheye(Projection):
         scale = np.sin(angle) / np.where(distance == 0, 1.0, distance)
         return np.stack([-west * scale, -south * scale, np.cos(angle)], axis=-1)
 
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3) and whether they lie within the disc."""
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
         level = np.hypot(x, y)

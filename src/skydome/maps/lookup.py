@@ -1,21 +1,20 @@
 """Values of a map toward any direction: the texel that is hit, or the four around it."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, namespace, safe_sqrt
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import Projection, from_first_centre
 
 
-def nearest(pixels: np.ndarray, projection: Projection, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+def nearest(pixels: np.ndarray, projection: Projection, directions: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Values (..., channels) of the texels that the directions (..., 3) hit, and whether the map covers them (...,)."""
     row, column, covered = projection.pixels(directions, pixels.shape[0])
     return pixels[row.astype(np.intp), column.astype(np.intp)], covered
 
 
-def bilinear(pixels: np.ndarray, projection: Projection, directions: Any) -> tuple[np.ndarray, np.ndarray]:
+def bilinear(pixels: np.ndarray, projection: Projection, directions: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Values (..., channels) blended from the four texel centres around each direction, and whether the map covers it.
 
     Neighbours are found across the seam, the poles and the edges of faces; where a neighbour is not part of the map

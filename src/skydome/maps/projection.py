@@ -4,13 +4,16 @@ from abc import ABC, abstractmethod
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from skydome.ground.arrays import Array
 
 ALL_ROWS = slice(None)
 Texels = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Row, column, and whether the map has that texel."""
 
 
-def texel_centre(index: Any) -> Any:
+def texel_centre(index: Array) -> Any:
     """Continuous coordinate of the centre of a row or column: texel i covers [i, i + 1), here and in every picture.
 
     The one place of the half pixel. Of part k of n of a texel: `texel_centre(k) / n`.
@@ -21,7 +24,7 @@ def texel_centre(index: Any) -> Any:
     return index + 0.5
 
 
-def from_first_centre(coordinate: Any) -> Any:
+def from_first_centre(coordinate: Array) -> Any:
     """A continuous coordinate counted from the first texel's centre: between which centres it lies, and where."""
     return coordinate - 0.5
 
@@ -39,11 +42,11 @@ class Projection(ABC):
         """Rows and columns of a map of that height; ValueError where the projection cannot take it."""
 
     @abstractmethod
-    def toward(self, row: Any, column: Any, height: int) -> np.ndarray:
+    def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors toward the continuous texel coordinates (broadcast together), shape (..., 3)."""
 
     @abstractmethod
-    def pixels(self, directions: Any, height: int) -> Texels:
+    def pixels(self, directions: ArrayLike, height: int) -> Texels:
         """Continuous texel coordinates (row, column) of directions (..., 3) and whether they are covered, each (...,).
 
         0 <= row < rows and 0 <= column < columns always hold; where the map does not cover, the nearest edge is given.
@@ -64,7 +67,7 @@ class Projection(ABC):
     def height_for(self, texels: float) -> int:
         """The allowed height whose map has about `texels` texels for the whole sphere."""
 
-    def directions(self, height: int, rows: slice = ALL_ROWS, dtype: Any = np.float64) -> np.ndarray:
+    def directions(self, height: int, rows: slice = ALL_ROWS, dtype: DTypeLike = np.float64) -> np.ndarray:
         """Unit vectors at the texel centres of those rows, shape (r, columns, 3)."""
         row, column = self.centres(height, rows)
         vectors: np.ndarray = self.toward(row, column, height).astype(dtype, copy=False)
@@ -100,7 +103,7 @@ class Projection(ABC):
         return total
 
 
-def checked_height(height: Any, multiple: int, least: int, what: str) -> int:
+def checked_height(height: int, multiple: int, least: int, what: str) -> int:
     """`height` as an int; ValueError unless it is a whole multiple of `multiple` and not below `least`."""
     if isinstance(height, bool) or not isinstance(height, int | np.integer) or height < least or height % multiple:
         rule = f"a multiple of {multiple}" if multiple > 1 else "a whole number"

@@ -91,7 +91,7 @@ class AllSuns:
         return np.stack(rows), np.sqrt(square)
 
 
-def slope(x: Any, linear: Any, cosine: np.ndarray, angle: np.ndarray) -> Array:
+def slope(x: Any, linear: Array, cosine: np.ndarray, angle: np.ndarray) -> Array:
     """Derivatives of the formula by A, B, E and H, (D, 4), at A, B, E, H (4,) and C, D, F, G, I (5,)."""
     a, b, e, h = x
     c, d, f, g, i = linear

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
@@ -49,8 +50,8 @@ class Views:
 
 def refitted(
     atmosphere: Atmosphere,
-    elevations: Any = ELEVATIONS,
-    wavelengths: Any = WAVELENGTHS,
+    elevations: ArrayLike = ELEVATIONS,
+    wavelengths: ArrayLike = WAVELENGTHS,
     progress: Callable[[int, int], None] | None = None,
 ) -> Numbers:
     """The nine numbers of an atmosphere's sky (discrete ordinates) for sun elevations (E,), radians, and wavelengths.
@@ -73,7 +74,7 @@ def refitted(
     return Numbers(heights, bands, np.array(sets[::-1]), np.array(errors[::-1]), atmosphere.sun_scale)
 
 
-def fitted(views: Views, sun: np.ndarray, light: np.ndarray, near: Any = None) -> tuple[np.ndarray, float]:
+def fitted(views: Views, sun: np.ndarray, light: np.ndarray, near: Array | None = None) -> tuple[np.ndarray, float]:
     """R A B ... I (10,) of one sky's light (D,), and the relative RMS error. `near`: A, B, E, H to start from too."""
     from scipy.optimize import least_squares
 

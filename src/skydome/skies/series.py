@@ -1,10 +1,8 @@
 """Many skies at once toward fixed directions: the hours of a year, or a batch of conditions."""
 
-from typing import Any
-
 import numpy as np
 
-from skydome.ground.arrays import as_numpy
+from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import checked_directions
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
 from skydome.skies.formula.formula_sky import FormulaSky, Recipe
@@ -13,7 +11,7 @@ from skydome.skies.sky import Sky
 VALUES_AT_A_TIME = 1 << 18
 
 
-def light_series(sky: FormulaSky, recipe: Recipe, directions: Any, out: np.ndarray | None = None) -> np.ndarray:
+def light_series(sky: FormulaSky, recipe: Recipe, directions: Array, out: np.ndarray | None = None) -> np.ndarray:
     """The light of a recipe of T skies toward directions (D, 3), float32 (T, D, K), written into `out` if given."""
     directions = np.asarray(as_numpy(directions))
     if directions.ndim != 2:
@@ -34,7 +32,7 @@ def light_series(sky: FormulaSky, recipe: Recipe, directions: Any, out: np.ndarr
     return out
 
 
-def luminance_series(sky: Sky, directions: Any, out: np.ndarray | None = None) -> np.ndarray:
+def luminance_series(sky: Sky, directions: Array, out: np.ndarray | None = None) -> np.ndarray:
     """Luminance of T skies toward directions (D, 3), cd m-2, float32 (T, D), written into `out` if given.
 
     The sky's parameters have shape (T,) or (T, 1), with suns (T, 3) or (T, 1, 3). Skies of the nine-number formula take

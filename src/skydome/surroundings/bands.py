@@ -13,9 +13,9 @@ of incidence sin a sin d. Hence E = integral of L sin^2 a da x integral of sin d
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, as_numpy, constant
 from skydome.ground.directions import NORTH, ZENITH, checked_directions, unit
@@ -53,7 +53,9 @@ class Bands:
             raise ValueError("the bands' edges must rise from 0 to pi")
 
     @classmethod
-    def of(cls, normal: Any = ZENITH, count: int = 64, axis: Any = None, breaks: Sequence[float] = ()) -> "Bands":
+    def of(
+        cls, normal: ArrayLike = ZENITH, count: int = 64, axis: ArrayLike | None = None, breaks: Sequence[float] = ()
+    ) -> "Bands":
         """`count` bands for a plane facing `normal` (3,), of even width where the plane is level.
 
         `axis` (3,) is horizontal by default (east for a level plane). `breaks`, dihedral angles, become edges,
@@ -100,18 +102,18 @@ class Bands:
         d: np.ndarray = np.cos(self.centres - self.half_widths) - np.cos(self.centres + self.half_widths)
         return d
 
-    def toward(self, angle: Any, alpha: Any) -> np.ndarray:
+    def toward(self, angle: ArrayLike, alpha: ArrayLike) -> np.ndarray:
         """Unit vectors at angle `alpha` from the axis in the plane of dihedral `angle`; both broadcast, (..., 3)."""
         angle, alpha = np.broadcast_arrays(angle, alpha)
         rim = np.cos(angle)[..., None] * self.across + np.sin(angle)[..., None] * self.normal
         vectors: np.ndarray = np.cos(alpha)[..., None] * self.axis + np.sin(alpha)[..., None] * rim
         return vectors
 
-    def directions(self, band: Any, alpha: Any) -> np.ndarray:
+    def directions(self, band: Array, alpha: Array) -> np.ndarray:
         """Unit vectors at angle `alpha` from the axis in the middle planes of `band`; both broadcast, (..., 3)."""
         return self.toward(self.centres[band], alpha)
 
-    def uniform(self, alpha: Any, luminance: float = 1.0) -> np.ndarray:
+    def uniform(self, alpha: ArrayLike, luminance: float = 1.0) -> np.ndarray:
         """E_k(alpha) of every band for uniform luminance, lx: 0.5 d_k (alpha - cos alpha sin alpha) L0 (15.54).
 
         `alpha` (...,) radians from the axis; shape (..., N).
@@ -120,7 +122,7 @@ class Bands:
         lit: np.ndarray = 0.5 * self.weights * (alpha - np.cos(alpha) * np.sin(alpha)) * luminance
         return lit
 
-    def nodes(self, band: Any, first: Any, last: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def nodes(self, band: ArrayLike, first: ArrayLike, last: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Gauss nodes for (15.56) on intervals `first` to `last` of `band`, each (I,).
 
         Directions (M, 3), weights (M,) sr projected on the plane, and the interval that each belongs to (M,).

@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions, direction
@@ -134,7 +135,7 @@ class StreetCanyon:
         sky: Sky,
         x: Sequence[float],
         z: float = 0.0,
-        normal: Any = ZENITH,
+        normal: ArrayLike = ZENITH,
         bands: int = 64,
         light: LightKind = LUX,
     ) -> Received:
@@ -178,7 +179,7 @@ class CanyonPoint(Surroundings):
         floor = np.clip(np.nan_to_num((landing + half) / c.width * n, posinf=0.0, neginf=0.0), 0, n - 1).astype(int)
         return np.where(height < 0, floor, np.where(height > c.height, SKY, wall))
 
-    def view(self, normal: Any = ZENITH, bands: int = 64) -> PlaneView:
+    def view(self, normal: ArrayLike = ZENITH, bands: int = 64) -> PlaneView:
         """The view of a plane. Where the plane holds the street's direction the bands run along the street.
 
         Then roofs and the strips' ends are edges of bands, and the shares of sky and strips are exact.

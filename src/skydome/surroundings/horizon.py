@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from skydome.ground.arrays import Array
 from skydome.ground.directions import azimuth, elevation
 from skydome.ground.units import EARTH_RADIUS
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
@@ -68,7 +70,7 @@ class Horizon(Surroundings):
     @classmethod
     def from_dem(
         cls,
-        heights: Any,
+        heights: ArrayLike,
         cell: float,
         row: int,
         column: int,
@@ -94,7 +96,7 @@ class Horizon(Surroundings):
         slope = np.max(np.where(np.isnan(rise), 0.0, rise), axis=1, initial=0.0)
         return cls(turn, np.arctan(slope))
 
-    def at(self, turn: Any) -> np.ndarray:
+    def at(self, turn: Array) -> np.ndarray:
         """Elevation of the horizon toward azimuths (...,), radians."""
         height: np.ndarray = np.interp(turn, self.azimuths, self.elevations, period=2 * np.pi)
         return height
@@ -130,7 +132,7 @@ def pair(cells: list[str], where: str) -> tuple[float, float]:
     return turn, height
 
 
-def checked_heights(heights: Any, cell: float, row: int, column: int) -> np.ndarray:
+def checked_heights(heights: ArrayLike, cell: float, row: int, column: int) -> np.ndarray:
     """The elevation data as floats (R, C); ValueError for what cannot be."""
     data = np.asarray(heights, dtype=np.float64)
     if data.ndim != 2:

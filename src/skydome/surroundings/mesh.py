@@ -6,6 +6,7 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
@@ -72,7 +73,7 @@ class MeshScene:
         object.__setattr__(self, "casts", ray_caster(vertices, faces))
 
     @classmethod
-    def read(cls, path: "str | PathLike[str]", reflectance: Any = 0.2, **others: Any) -> "MeshScene":
+    def read(cls, path: "str | PathLike[str]", reflectance: ArrayLike | Spectrum = 0.2, **others: Any) -> "MeshScene":
         """The scene in a file that trimesh reads (OBJ, PLY, STL, glTF), z up, metres."""
         mesh = trimesh_library().load(path, force="mesh", process=False)
         return cls(mesh.vertices, mesh.faces, reflectance, **others)
@@ -118,7 +119,7 @@ class MeshScene:
         """How far rays start above a surface, m."""
         return float(LIFT * np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
-    def at(self, point: Any, normal: Any = ZENITH) -> "MeshPoint":
+    def at(self, point: Array, normal: Array = ZENITH) -> "MeshPoint":
         """What is seen from a point (3,), m, just in front of a surface that faces `normal` (3,)."""
         place = np.asarray(point, dtype=np.float64)
         if place.shape != (3,) or not np.isfinite(place).all():
@@ -148,7 +149,7 @@ class MeshScene:
                 factors[row, met] += front * view.factors[view.labels >= 0] / (np.pi * len(INNER))
         return factors
 
-    def view(self, point: Any, normal: Any, bands: int = 64, tolerance: float = TOLERANCE) -> PlaneView:
+    def view(self, point: ArrayLike, normal: ArrayLike, bands: int = 64, tolerance: float = TOLERANCE) -> PlaneView:
         """The view from a point (3,) of a surface that faces `normal` (3,)."""
         return PlaneView.of(self.at(point, normal), normal, bands, tolerance)
 
@@ -172,7 +173,7 @@ class MeshScene:
         return falling * constant(channelled(self.ground_albedo, light) / np.pi, falling)
 
     def illuminance(
-        self, sky: Sky, points: Any, normals: Any = ZENITH, bands: int = 64, light: LightKind = LUX
+        self, sky: Sky, points: ArrayLike, normals: ArrayLike = ZENITH, bands: int = 64, light: LightKind = LUX
     ) -> Received:
         """Light at points (P, 3), m, on planes facing `normals` (P, 3) or (3,), lx, (..., P): sky, sun, reflected.
 
@@ -195,7 +196,7 @@ class MeshScene:
         )
 
 
-def of_faces(reflectance: Any, count: int) -> Any:
+def of_faces(reflectance: ArrayLike | Spectrum, count: int) -> Any:
     """A reflectance as it is kept: a `Spectrum`, or numbers (N,) or (N, C); ValueError where the faces do not fit."""
     if isinstance(reflectance, Spectrum):
         if reflectance.values.ndim == 2 and len(reflectance.values) != count:

@@ -4,10 +4,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
+from skydome.light.spectrum import Spectrum
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 from skydome.surroundings.bands import Bands
@@ -63,7 +65,11 @@ class PlaneView:
 
     @classmethod
     def of(
-        cls, surroundings: Surroundings, normal: Any = ZENITH, bands: "int | Bands" = 64, tolerance: float = TOLERANCE
+        cls,
+        surroundings: Surroundings,
+        normal: ArrayLike = ZENITH,
+        bands: "int | Bands" = 64,
+        tolerance: float = TOLERANCE,
     ) -> "PlaneView":
         """The view of a plane facing `normal` (3,) through `bands`: bands laid out for it, or how many to begin with.
 
@@ -107,7 +113,11 @@ class PlaneView:
         return total
 
     def receive(
-        self, sky: Sky, luminances: "dict[int, Any] | None" = None, albedo: Any = 0.0, light: LightKind = LUX
+        self,
+        sky: Sky,
+        luminances: "dict[int, Any] | None" = None,
+        albedo: ArrayLike | Spectrum = 0.0,
+        light: LightKind = LUX,
     ) -> Received:
         """The light on the plane. Labels without a luminance shine as ground of `albedo` under the open sky.
 
@@ -160,11 +170,11 @@ def visible_share(disc: SunDisc, surroundings: Surroundings) -> np.ndarray:
 def obstructed_illuminance(
     sky: Sky,
     surroundings: Surroundings,
-    normal: Any = ZENITH,
+    normal: ArrayLike = ZENITH,
     *,
     bands: "int | Bands" = 64,
     luminances: "dict[int, Any] | None" = None,
-    albedo: Any = 0.0,
+    albedo: ArrayLike | Spectrum = 0.0,
     light: LightKind = LUX,
 ) -> Received:
     """Light on a plane facing `normal` (3,) among surroundings, lx: `.sky`, `.sun`, `.reflected` and their `.total`.

@@ -1,8 +1,7 @@
 """Light between diffuse faces: form factors in closed form, and the balance of what each face sends to the others."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.quadrature import gauss_legendre
@@ -120,7 +119,7 @@ def rectangle_factors(rectangles: np.ndarray, count: int = 16) -> np.ndarray:
     return factors
 
 
-def interreflected(direct: Array, factors: Array, reflectance: Any) -> Array:
+def interreflected(direct: Array, factors: Array, reflectance: Array) -> Array:
     """Illuminance of faces with all interreflection, lx, (..., N): E = E_direct + F (reflectance x E), solved.
 
     `direct` (..., N) may hold a year of hours; `factors` (N, N) from row to column; `reflectance` (N,) or a number in
@@ -143,7 +142,7 @@ def interreflected(direct: Array, factors: Array, reflectance: Any) -> Array:
     )
 
 
-def interreflected_channels(direct: Array, factors: Array, reflectance: Any) -> Array:
+def interreflected_channels(direct: Array, factors: Array, reflectance: ArrayLike) -> Array:
     """The same of light in channels (..., N, C), each for itself; `reflectance` (N,), or (N, C) by channel."""
     xp = namespace(direct)
     known = np.asarray(reflectance, dtype=np.float64)

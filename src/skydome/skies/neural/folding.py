@@ -6,9 +6,9 @@ is `network.Network.light`; this one feeds the float32 paths and the shaders, an
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import ZENITH
@@ -51,7 +51,7 @@ class Folded:
     sun: np.ndarray
 
 
-def folded(network: Network, sun: Any, turbidity: Any, albedo: Any) -> Folded:
+def folded(network: Network, sun: ArrayLike, turbidity: ArrayLike, albedo: ArrayLike) -> Folded:
     """The network under one sun (3,), turbidity and albedo, float64; ValueError for more than one condition."""
     sun = as_numpy(sun).astype(np.float64)
     one = [np.asarray(as_numpy(value), dtype=np.float64) for value in (turbidity, albedo)]

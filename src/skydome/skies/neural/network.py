@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from skydome.ground.arrays import (
     Array,
@@ -137,7 +138,7 @@ class Network:
         """Bytes of its numbers."""
         return sum(weights.nbytes + biases.nbytes for weights, biases in self.layers)
 
-    def stored_as(self, dtype: Any) -> "Network":
+    def stored_as(self, dtype: DTypeLike) -> "Network":
         """The same network with its numbers rounded to float32 or float16."""
         layers = tuple((weights.astype(dtype), biases.astype(dtype)) for weights, biases in self.layers)
         return Network(self.features, layers, self.output, self.scale, self.bands)

@@ -1,9 +1,10 @@
 """The sun's disc through Preetham's clear air: physical in level and colour, where the published tables are not."""
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.transmittance import SOLID_ANGLE, ClearAir
 from skydome.ground.arrays import Array, constant
@@ -26,7 +27,7 @@ class PreethamSun(SunDisc):
     bands: ClassVar[np.ndarray] = np.arange(380.0, 721.0, 10.0)
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.1 and Table 2; limb darkening of Hosek and Wilkie 2013"
 
-    def centre_radiance(self, wavelengths: Any) -> Array:
+    def centre_radiance(self, wavelengths: ArrayLike) -> Array:
         """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""
         irradiance = ClearAir(self.limited_turbidity()).irradiance(self.sun, wavelengths)
         return irradiance / constant(limb_mean(wavelengths) * SOLID_ANGLE, irradiance)

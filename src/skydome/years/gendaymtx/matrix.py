@@ -15,6 +15,7 @@ the sun apart | its light over the four nearest patches (`gendaymtx_sun`), or in
 """
 
 from collections.abc import Iterator
+from os import PathLike
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -187,7 +188,7 @@ def dark(hours: int, division: int, at_once: int) -> Iterator[np.ndarray]:
         yield np.zeros((min(at_once, count - k), hours), np.float32)
 
 
-def tape_of(path: Any) -> Tape:
+def tape_of(path: str | PathLike[str]) -> Tape:
     """The tape in a WEA file, as gendaymtx reads it; units 1 and 2 are irradiances, 3 illuminances."""
     from skydome.years.weather.tape import DEW_POINT, FIRST_LINE, HORIZONTAL_DIRECT, PHOTOMETRIC, read_tape
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.dome.patches import TREGENZA_COUNTS
 
@@ -38,7 +39,7 @@ def rows_of(division: int) -> list[tuple[float, int, float]]:
     return [*rows, (float(np.float32(np.pi / 2)), 1, float(2 * np.pi * (1 - np.cos(step / 2))))]
 
 
-def patch_rows(skies: Skies, division: int, level: Any = 1.0) -> Iterator[tuple[np.ndarray, float, float]]:
+def patch_rows(skies: Skies, division: int, level: ArrayLike = 1.0) -> Iterator[tuple[np.ndarray, float, float]]:
     """Luminance of some patches (J, K), float32, their elevation and solid angle; patch by patch in Radiance's order.
 
     Relative, times `level` (K,). The array is used again for the next patches. The angle to the sun by the haversine

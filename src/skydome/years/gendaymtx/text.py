@@ -2,7 +2,8 @@
 
 import sys
 from collections.abc import Iterable, Iterator
-from typing import Any, BinaryIO
+from os import PathLike
+from typing import BinaryIO
 
 import numpy as np
 
@@ -40,7 +41,7 @@ def write(
     file.flush()
 
 
-def read(path: Any) -> tuple[np.ndarray, dict[str, str]]:
+def read(path: str | PathLike[str]) -> tuple[np.ndarray, dict[str, str]]:
     """The values (rows, columns, channels), float32, of an ASCII, float or double matrix, and its header by key.
 
     ValueError where the file is no such matrix, or is cut short.

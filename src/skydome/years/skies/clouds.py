@@ -8,9 +8,9 @@ spectra of one luminance: Perez's luminance of each direction is kept.
 """
 
 from functools import cache
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.light.colour import xyz_from_xyY
 from skydome.light.daylight import CHROMATICITY_TO_AMOUNTS, daylight_spectrum
@@ -27,7 +27,7 @@ BASIS_BELOW_380 = np.array(
 """S0, S1, S2 of the CIE daylight at `ULTRAVIOLET`, where Preetham's Table 2 does not reach (CIE 15, Table T.2)."""
 
 
-def cloud_share(suns: np.ndarray, turbidity: Any, direct_illuminance: np.ndarray) -> np.ndarray:
+def cloud_share(suns: np.ndarray, turbidity: ArrayLike, direct_illuminance: np.ndarray) -> np.ndarray:
     """Share of cloud, 0-1, (K,): 1 where nothing of the sun arrives, 0 where as much as through clear air or more.
 
     `suns` (K, 3) unit vectors, `turbidity` of the clear air, `direct_illuminance` (K,), lx, on a plane that faces the

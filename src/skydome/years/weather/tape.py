@@ -1,6 +1,7 @@
 """The text of Radiance's weather tapes (WEA): a header of six lines, then month, day, hour, direct, diffuse."""
 
 import os
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ DEW_POINT = 11.0
 """What Radiance takes where a tape has no dew point, degrees C."""
 
 
-def read_tape(path: Any) -> tuple[dict[str, Any], np.ndarray]:
+def read_tape(path: str | PathLike[str]) -> tuple[dict[str, Any], np.ndarray]:
     """The header by key (numbers as they stand: longitude and zone positive to the west) and the rows (T, 5).
 
     ValueError with the line for what cannot be read, and for units that gendaymtx does not know.

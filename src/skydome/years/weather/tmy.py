@@ -3,7 +3,7 @@
 import warnings
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from skydome.sun.times import instants
 from skydome.years.weather.calendar import Label, calendar_year, interval, local_minutes, month_day_hour, usual_step
 from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 NAMES = {
     "direct_normal": ("dni", "direct_normal", "direct_normal_irradiance", "DNI"),
@@ -67,13 +70,13 @@ def typical(
     return Weather(place, start, end, direct, diffuse, dew_point, offset, name)
 
 
-def local_times(frame: Any) -> np.ndarray:
+def local_times(frame: "pd.DataFrame") -> np.ndarray:
     """The index of a frame as its own clock shows it, datetime64[s]."""
     return np.array(frame.index.tz_localize(None).to_numpy(), dtype="datetime64[s]")
 
 
 def from_frame(
-    frame: Any,
+    frame: "pd.DataFrame",
     place: Place,
     direct_normal: str | None = None,
     diffuse_horizontal: str | None = None,
@@ -105,7 +108,7 @@ def from_frame(
     return Weather(place, start, end, direct, diffuse, dew, 0.0, "", label)
 
 
-def column(frame: Any, name: str, given: str | None) -> np.ndarray | None:
+def column(frame: "pd.DataFrame", name: str, given: str | None) -> np.ndarray | None:
     """A column as numbers, None where nothing was asked and nothing found; ValueError for words."""
     found = [known for known in NAMES[name] if known in frame.columns] if given is None else [given]
     if not found:

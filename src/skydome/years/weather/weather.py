@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
@@ -94,7 +94,7 @@ class Weather:
         """The same weather at another place (to put right a wrong sign)."""
         return replace(self, place=place)
 
-    def rows(self, chosen: Any) -> "Weather":
+    def rows(self, chosen: slice | ArrayLike) -> "Weather":
         """The intervals `chosen` by a slice, a mask or indices."""
         names = ["start", "end", "direct_normal", "diffuse_horizontal", "dew_point"]
         names += ["direct_illuminance", "diffuse_illuminance"] if self.diffuse_illuminance is not None else []
