@@ -22,12 +22,22 @@ from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
 from skydome.cli.commands.train import train
 from skydome.cli.commands.year import year
+from skydome.cli.options import target_help
 
 BAD_INPUT, INTERRUPTED = 2, 130
 
 
 class Commands(TyperGroup):
     """The group of commands; what goes wrong becomes one line on stderr and an exit code."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """The command that is called; its help names the renderers, which nothing else needs to know."""
+        name, command, rest = super().resolve_command(ctx, args)
+        if command is not None and not {"-h", "--help"}.isdisjoint(rest):
+            for option in command.params:
+                if option.name == "target":
+                    vars(option)["help"] = target_help()
+        return name, command, rest
 
     def main(self, *arguments: Any, **choices: Any) -> Any:
         """Run a command and exit: 0, 2 for bad input, 130 when interrupted."""

@@ -14,9 +14,7 @@ from typer import Option
 WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
 
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
-Target = Annotated[
-    str, Option(help="Renderer: native, blender, mitsuba, openexr, usd, three, skylibs, pbrt, cube or fisheye.")
-]
+Target = Annotated[str, Option(help="Renderer whose layout the map has.")]
 Half = Annotated[bool, Option("--half/--float", help="16 bit or 32 bit floats in OpenEXR.")]
 
 
@@ -88,6 +86,10 @@ class SkyOptions(SunOptions):
     letters: Annotated[
         str | None, Option(metavar="A,B,C,D,E", help="Perez's five letters (perez).", rich_help_panel=AIR)
     ] = None
+    set: Annotated[
+        list[str] | None,
+        Option(metavar="NAME=NUMBER", help="A parameter that has no option of its own.", rich_help_panel=AIR),
+    ] = None
     until: Annotated[
         str | None,
         Option(metavar="ERROR", help="Trace to this median error (path-traced). [default: 1%]", rich_help_panel=AIR),
@@ -146,7 +148,47 @@ def option_name(parameter: str) -> str:
     ('--dni', '--zenith-luminance')
     """
     short = {"direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi"}
+    if parameter not in SkyOptions.__dataclass_fields__:
+        return f"--set {parameter}="
     return "--" + short.get(parameter, parameter).replace("_", "-")
+
+
+def target_help() -> str:
+    """What is said of --target: the names that there are."""
+    from skydome.maps.targets import TARGETS
+
+    names = [entry.name for entry in TARGETS]
+    return f"Renderer: {', '.join(names[:-1])} or {names[-1]}."
+
+
+def set_by_name(texts: "list[str] | None") -> dict[str, float]:
+    """Numbers written as NAME=NUMBER, by name; ValueError for anything else.
+
+    >>> set_by_name(["glow=8"])
+    {'glow': 8.0}
+    """
+    found = {}
+    for text in texts or []:
+        name, _, value = text.partition("=")
+        if not name.isidentifier():
+            raise ValueError(f"--set must be NAME=NUMBER such as glow=8, got {text!r}")
+        found[name] = numbers(value, 1, f"--set {name}", f"{name}=8")[0]
+    return found
+
+
+def relative_error(text: str) -> float:
+    """The error of --until as a fraction; ValueError unless in (0, 50 %].
+
+    >>> relative_error("0.5%"), relative_error("0.02")
+    (0.005, 0.02)
+    """
+    try:
+        value = float(text[:-1]) / 100 if text.endswith("%") else float(text)
+    except ValueError:
+        value = float("nan")
+    if not 1e-6 <= value <= 0.5:
+        raise ValueError(f"--until must be an error in (0, 50%] such as 1% or 0.01, got {text!r}")
+    return value
 
 
 def numbers(text: str, count: int, option: str, example: str) -> tuple[float, ...]:

@@ -3,11 +3,12 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.models import Model, model_named
+from skydome.cli.models import build, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day
 from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
+    from skydome.skies.catalogue import Model
     from skydome.skies.sky import ColourSky, Sky
     from skydome.skies.suns.sun_disc import SunDisc
 
@@ -26,10 +27,12 @@ class Scene:
 
 def scene_of(options: SkyOptions) -> Scene:
     """The light by the options; ValueError in one line for what cannot be."""
+    from skydome.skies.catalogue import model_named
+
     model = model_named(options.model)
     moment = moment_for(model, options)
     sun = None if moment is None else moment.direction
-    sky, notes = model.build(sun, options)
+    sky, notes = build(model, sun, options)
     coloured, more = in_colour(sky, options)
     disc, last = disc_for(model, coloured, moment, options)
     notes += more + last
@@ -48,7 +51,7 @@ def scene_of(options: SkyOptions) -> Scene:
     )
 
 
-def moment_for(model: Model, options: SkyOptions) -> Moment | None:
+def moment_for(model: "Model", options: SkyOptions) -> Moment | None:
     """The sun's moment, by day; None where none is given and the model with its level needs none."""
     given = options.sun is not None or options.place is not None or options.time is not None
     levelled = options.zenith_luminance is not None or options.illuminance is not None
@@ -56,7 +59,7 @@ def moment_for(model: Model, options: SkyOptions) -> Moment | None:
     if alone and (levelled or not given):
         return moment_of(options) if given else None
     moment = moment_of(options)
-    if not model.twilight:
+    if not model.kind.knows_twilight:
         require_day(moment, model.name)
     return moment
 
@@ -81,7 +84,7 @@ def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
 
 
 def disc_for(
-    model: Model, sky: "ColourSky", moment: Moment | None, options: SkyOptions
+    model: "Model", sky: "ColourSky", moment: Moment | None, options: SkyOptions
 ) -> "tuple[SunDisc | None, list[str]]":
     """The sun's disc: as the sky tells it, by --dni, or a clear day's; none for overcast skies."""
     import skydome as sd
@@ -92,9 +95,11 @@ def disc_for(
         return None, ["sun's disc: left out (--no-sun)"]
     if moment is None or not (model.shines or dni is not None):
         return None, ["sun's disc: none, the sky is overcast"]
-    if model.own_sun and (dni is None or "direct_normal_irradiance" in model.takes):
+    lit = sky.sunlit
+    own_sun = lit is not None and not (lit.haze is None and lit.direct_normal_illuminance is None)
+    if own_sun and (dni is None or "direct_normal_irradiance" in model.takes):
         return sd.SunDisc.of(sky, angular_radius=moment.radius), []
-    turbidity = model.usual(options)
+    turbidity = turbidity_of(options)
     if dni is not None:
         sd.Uniform(dni)  # refuses what is negative or no number
         disc = sd.SunDisc.from_irradiance(

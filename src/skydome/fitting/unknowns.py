@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.directions import checked_directions, tangent_frame
+from skydome.skies.catalogue import usually_fitted
 from skydome.skies.sky import Sky
 
 LEVELS = ("scale", "zenith_luminance", "illuminance")
@@ -38,21 +39,16 @@ KNOWN = {
 }
 """The parameters that can be looked for, next to "sun". The letters are those of Perez's and the CIE's formula."""
 
-USUAL = {
-    "HosekWilkie": ("sun", "turbidity"),
-    "HosekWilkieRGB": ("sun", "turbidity"),
-    "Preetham": ("sun", "turbidity"),
-    "Perez": ("sun", "a", "b", "c", "d", "e", "illuminance"),
-    "CIEClear": ("sun", "illuminance"),
-}
-"""What is looked for if `free` is not given."""
-
 
 def unknown_of(model: type[Sky], name: str) -> Unknown:
-    """The unknown `name`, its limits narrowed to the model's own range."""
-    known, interval = KNOWN[name], model.ranges.get(name)
+    """The unknown `name`, its limits narrowed to the model's own range: all of it where nothing else is known."""
+    interval = model.ranges.get(name)
     if interval is None:
-        return known
+        return KNOWN[name]
+    known = KNOWN.get(name)
+    if known is None:
+        middle, width = (interval.low + interval.high) / 2, interval.high - interval.low
+        known = Unknown(middle, interval.low, interval.high, width / 2)
     low, high = max(known.low, interval.low), min(known.high, interval.high)
     tries = tuple(value for value in known.tries if low <= value <= high)
     return Unknown(min(max(known.start, low), high), low, high, known.span, tries)
@@ -72,16 +68,17 @@ class Problem:
         """The problem as a caller words it; ValueError for names that the model does not have or that nothing fits."""
         given = dict(initial or {})
         own = [item.name for item in fields(model) if item.name != "check"]
-        free = tuple(USUAL.get(model.__name__, ()) if free is None else free)
+        free = usually_fitted(model) if free is None else tuple(free)
         if not free:
             raise ValueError(f"free must name what is to be found of {model.__name__}, from {', '.join(own)}, scale")
         for name in (*free, *given):
             if name not in (*own, "scale"):
                 allowed = ", ".join([*own, "scale"])
                 raise ValueError(f"{model.__name__} has no parameter {name!r}; allowed are {allowed}")
-        unfit = [name for name in free if name != "sun" and name not in KNOWN]
+        known = list(dict.fromkeys([*KNOWN, *(name for name, span in model.ranges.items() if span.is_finite)]))
+        unfit = [name for name in free if name != "sun" and name not in known]
         if unfit or len(set(free)) < len(free):
-            raise ValueError(f"free may name sun, {', '.join(KNOWN)}, each once; got {', '.join(free)}")
+            raise ValueError(f"free may name sun, {', '.join(known)}, each once; got {', '.join(free)}")
         if "sun" in given:
             sun = checked_directions(np.asarray(given["sun"], dtype=np.float64), "the initial sun")
             if sun.shape != (3,):

@@ -11,6 +11,7 @@
 - hosek_wilkie       Hosek and Wilkie's clear sky: nine numbers for each band or channel, fitted to a path tracer
 - daylight_sky       Colour for skies that know luminance only, given on purpose
 - captured           The sky of a photograph: an environment map that answers as every sky does
+- catalogue          Every sky model by name, a row each: what the commands, fits, lessons and evaluations read
 - series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
 - formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)
 - neural/            Neural skies: small networks from sun and view to light (Satilmis et al. 2017)

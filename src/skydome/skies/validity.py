@@ -18,6 +18,11 @@ class Range(NamedTuple):
     high: float
     unit: str = ""
 
+    @property
+    def is_finite(self) -> bool:
+        """Whether it has both ends."""
+        return bool(np.isfinite([self.low, self.high]).all())
+
     def __str__(self) -> str:
         unit = f" {self.unit}" if self.unit else ""
         return f"[{self.low:g}, {self.high:g}]{unit}"

@@ -1,33 +1,37 @@
 """`skydome models`: every model with its parameters, ranges, rung and source, as the classes tell them."""
 
 from dataclasses import MISSING, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from skydome.cli.models import DEFAULTS, Model, all_models
 from skydome.cli.options import AsJson, SkyOptions, option_name
 from skydome.cli.printing import print_json
+
+if TYPE_CHECKING:
+    from skydome.skies.catalogue import Model
 
 
 def models(as_json: AsJson = False) -> None:
     """List the sky models: parameters with their ranges, what they know, and their source."""
-    facts = [model_facts(model) for model in all_models()]
+    from skydome.skies.catalogue import CATALOGUE
+
+    facts = [model_facts(model) for model in CATALOGUE]
     if as_json:
         print_json(facts)
     else:
         print_models(list({entry["class"]: entry for entry in facts}.values()))
 
 
-def model_facts(model: Model) -> dict[str, Any]:
+def model_facts(model: "Model") -> dict[str, Any]:
     """A model's name, class, rung, parameters and source."""
-    kind = model.cls()
+    kind = model.kind
     known = {item.name for item in fields(kind)}
     return {
         "name": model.name,
         "class": kind.__name__,
         "rung": rung(kind),
         "parameters": taken_facts(model) if "atmosphere" in known else own_facts(kind),
-        "fixed": model.fixed,
-        "needs_level": model.levelled,
+        "fixed": dict(model.fixed),
+        "needs_level": model.level_name is not None,
         "source": kind.source,
         "about": (kind.__doc__ or "").strip().splitlines()[0],
     }
@@ -47,11 +51,13 @@ def own_facts(kind: Any) -> list[dict[str, Any]]:
     return [parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"]
 
 
-def taken_facts(model: Model) -> list[dict[str, Any]]:
+def taken_facts(model: "Model") -> list[dict[str, Any]]:
     """The parameters of a model that makes its class's from the options that it takes: the air's."""
+    from skydome.skies.catalogue import USUAL
+
     sun = {"name": "sun", "option": "--sun", "required": True}
     return [sun] + [
-        {"name": name, "option": option_name(name), "required": False, "default": DEFAULTS.get(name)}
+        {"name": name, "option": option_name(name), "required": False, "default": USUAL.get(name)}
         for name in model.takes
     ]
 

@@ -6,5 +6,6 @@
 - layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form
 - nishita             Nishita's skies: light scattered once or once and twice in spherical shells of air
 - held                A physical sky's colours, computed once on a row of nodes and then known at every direction
+- held_tracing        A traced sky held in a table
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
 """

@@ -1,0 +1,237 @@
+"""The catalogue: every sky model by name, a row each, read by the command line, `fit`, `evaluate`, `train` and `year`.
+
+A new model is its file and a row in `CATALOGUE`. What the class itself tells (fields, `ranges`, rung, `source`,
+`knows_twilight`) is not told again.
+"""
+
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from difflib import get_close_matches
+from typing import Any
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
+from skydome.skies.formula.formula_sky import FormulaSky
+from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST, UsualLevel
+from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
+from skydome.skies.neural.files import load_network
+from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky, read_network
+from skydome.skies.path_tracing.sky import PathTraced
+from skydome.skies.perez import Perez
+from skydome.skies.perez_all_weather import PerezAllWeather
+from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
+from skydome.skies.physical.held import held
+from skydome.skies.physical.held_tracing import Report, held_tracing
+from skydome.skies.physical.nishita import Nishita93, Nishita96
+from skydome.skies.preetham import Preetham
+from skydome.skies.sky import Sky, SpectralSky, SunlitSky
+from skydome.skies.uniform import MoonSpencer, Uniform
+from skydome.skies.validity import Check
+
+USUAL = {"turbidity": 3.0, "albedo": 0.2}
+"""What is taken where nobody says: clear air over dry land."""
+
+
+@dataclass(frozen=True)
+class Model:
+    """A sky model by `name`: its class, and what the class does not tell.
+
+    `takes`: parameters that a user gives; `fixed`: those that the name settles. `level`: how bright it usually is, for
+    skies known up to a factor; `shines`: whether the sun's disc is seen in it. `fitted`: what `fit` looks for.
+    `lesson`: the name by which networks learn it, as spectral radiance at `lesson_bands`, nm, or as RGB without.
+    `failures`: where it is known to fail; `evaluate` takes the models that say so.
+    """
+
+    name: str
+    kind: type[Sky]
+    takes: tuple[str, ...] = ()
+    fixed: Mapping[str, Any] = field(default_factory=dict)
+    level: UsualLevel | None = None
+    shines: bool = True
+    fitted: tuple[str, ...] = ()
+    lesson: str = ""
+    lesson_bands: tuple[float, ...] = ()
+    failures: str = ""
+
+    @property
+    def needed(self) -> dict[str, bool]:
+        """The class's parameters, and whether it needs each."""
+        bare = (MISSING, MISSING)
+        return {item.name: (item.default, item.default_factory) == bare for item in fields(self.kind)}
+
+    @property
+    def has_sun(self) -> bool:
+        """Whether the sky depends on where the sun stands."""
+        return issubclass(self.kind, SunlitSky)
+
+    @property
+    def level_name(self) -> str | None:
+        """What the class calls its zenith luminance; None for a model that knows its level."""
+        return next((name for name in ("zenith_luminance", "value") if name in self.needed), None)
+
+    @property
+    def is_clear_spectrum(self) -> bool:
+        """Whether it is a spectrum by turbidity for many suns at once, which can colour a year."""
+        return issubclass(self.kind, FormulaSky) and issubclass(self.kind, SpectralSky) and "turbidity" in self.takes
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky of a `sun` (None for models without one) with the parameters given by name.
+
+        `report(done, error)` is told how long works go on.
+
+        >>> import skydome as sd
+        >>> sky = model_named("preetham").make(sd.direction(azimuth=1.0, elevation=0.7), {"turbidity": 2.5})
+        >>> type(sky).__name__, sky.turbidity
+        ('Preetham', 2.5)
+        """
+        parameters = {**self.fixed, **(given or {})} | ({"sun": sun} if self.has_sun else {})
+        return self.kind(**parameters, check=check)
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """What was chosen for the user who gave these parameters, a line each."""
+        return []
+
+
+@dataclass(frozen=True)
+class NeuralModel(Model):
+    """A network by name: `fixed["network"]` is one that the package carries, or a file."""
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky of the network."""
+        return super().make(sun, {**(given or {}), "network": read_network(self.fixed["network"])}, check, report)
+
+
+@dataclass(frozen=True)
+class AirModel(Model):
+    """A sky of air of a turbidity over a ground, its colours held in a table."""
+
+    takes: tuple[str, ...] = ("turbidity", "albedo")
+
+    def air(self, given: Mapping[str, Any]) -> Any:
+        """Air of the usual aerosol."""
+        asked = USUAL | dict(given)
+        return Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The held sky."""
+        sky: Any = self.kind
+        return held(sky(sun, self.air(given or {})))
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """The air."""
+        turbidity = (USUAL | dict(given))["turbidity"]
+        aerosol, ozone = self.air(given).constituents[1:]
+        depth, lobe = f"{aerosol.optical_depth:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
+        return [f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU"]
+
+
+@dataclass(frozen=True)
+class TracedModel(AirModel):
+    """The path tracer: `until` a median relative error, or so many `paths` a direction."""
+
+    takes: tuple[str, ...] = ("turbidity", "albedo", "until", "paths")
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The held tracing."""
+        asked = given or {}
+        return held_tracing(PathTraced(sun, self.air(asked)), asked.get("until"), asked.get("paths"), report)
+
+
+def cie_model(kind: int) -> Model:
+    """A CIE type: overcast up to 5, with the sun from 6 on; 6 is as bright as an overcast sky."""
+    return Model(
+        f"cie-{kind}", CIE, fixed={"type": kind}, level=OVERCAST if kind <= 6 else CLEAR, shines=kind > 5
+    )  # fmt: skip
+
+
+HAZE = ("sun", "turbidity")
+MEASURED = ("direct_normal_irradiance", "diffuse_horizontal_irradiance", "dew_point", "compat")
+
+CATALOGUE: tuple[Model, ...] = (
+    Model(
+        "hosek-wilkie",
+        HosekWilkie,
+        ("turbidity", "albedo", "tables"),
+        fitted=HAZE,
+        lesson="hosek-wilkie-spectral",
+        lesson_bands=tuple(BANDS.tolist()),
+        failures="at the turbidity that fits best 40 % too bright away from the sun and too dark round it",
+    ),
+    Model("hosek-wilkie-rgb", HosekWilkieRGB, ("turbidity", "albedo"), fitted=HAZE, lesson="hosek-wilkie"),
+    Model(
+        "preetham",
+        Preetham,
+        ("turbidity",),
+        fitted=HAZE,
+        lesson="preetham",
+        failures="about twice too bright away from the sun; far too bright round it",
+    ),
+    *(
+        NeuralModel(f"neural-{network}", NeuralSky, ("turbidity",), {"network": network})
+        for network in ("preetham", "hosek-wilkie", "hosek-wilkie-compact", "hosek-wilkie-deep")
+    ),
+    NeuralModel(
+        "neural-hosek-wilkie-spectral",
+        NeuralSpectralSky,
+        ("turbidity", "albedo"),
+        {"network": "hosek-wilkie-spectral"},
+    ),
+    Model("perez-all-weather", PerezAllWeather, MEASURED),
+    Model("perez", Perez, tuple("abcde"), fitted=("sun", *"abcde", "illuminance")),
+    *(cie_model(kind) for kind in range(1, 16)),
+    Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance")),
+    Model("cie-intermediate", CIEIntermediate, level=MIDDLE),
+    Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
+    Model("uniform", Uniform, level=OVERCAST, shines=False),
+    AirModel(
+        "discrete-ordinates",
+        DiscreteOrdinates,
+        failures="no polarisation (up to 7 % at 400 nm); one lobe cannot have both the aureole and the sides right",
+    ),
+    AirModel(
+        "nishita-1993",
+        Nishita93,
+        failures="one scattering only: too dark, most of all in the blue and away from the sun",
+    ),
+    AirModel(
+        "nishita-1996", Nishita96, failures="two scatterings only: a few percent (red) to a fifth (blue) too dark"
+    ),
+    TracedModel(
+        "path-traced",
+        PathTraced,
+        failures="noise of 1 %, so that its numbers are not fitted; else those of discrete ordinates",
+    ),
+)
+
+
+def model_named(name: str) -> Model:
+    """The model by name, or of a network file (.safetensors); ValueError with the nearest names there are."""
+    if name.endswith(".safetensors"):
+        return model_of_file(name)
+    known = {model.name: model for model in CATALOGUE}
+    if name not in known:
+        near = get_close_matches(name, known, n=2)
+        names = ", ".join(key for key in known if not key.removeprefix("cie-").isdigit())
+        meant = f" (perhaps {' or '.join(near)})" if near else ""
+        raise ValueError(f"model must be one of {names}, cie-1 ... cie-15, got {name!r}{meant}")
+    return known[name]
+
+
+def model_of_file(path: str) -> Model:
+    """The model of a network file of the user's own (`skydome train`); ValueError for what is none."""
+    if load_network(path)[0].bands:
+        return NeuralModel(path, NeuralSpectralSky, ("turbidity", "albedo"), {"network": path})
+    return NeuralModel(path, NeuralSky, ("turbidity",), {"network": path})
+
+
+def usually_fitted(kind: type[Sky]) -> tuple[str, ...]:
+    """What `fit` looks for in a class of sky where nobody says; empty for a class that the catalogue does not tell."""
+    return next((model.fitted for model in CATALOGUE if model.kind is kind and model.fitted), ())
