@@ -7,7 +7,9 @@ from pathlib import Path
 
 from PIL import Image
 
-MODELS = "preetham,hosek-wilkie,nishita93,nishita96,plain-air,refitted,two-lobe-air,bruneton-air,path-traced"
+MODELS = (
+    "preetham,hosek-wilkie,nishita-1993,nishita-1996,discrete-ordinates,refitted,two-lobe-air,bruneton-air,path-traced"
+)
 
 
 def main(measured, here=Path(__file__).parent):

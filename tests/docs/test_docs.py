@@ -39,7 +39,7 @@ def test_python_blocks_run(page, tmp_path, monkeypatch):
 
 
 def test_the_blocks_are_found():
-    assert len(list(blocks(ROOT / "docs" / "adding-a-model.md", "python"))) == 2  # and one that is not run
+    assert len(list(blocks(ROOT / "docs" / "adding-a-model.md", "python"))) == 3  # and one that is not run
     assert sum(len(list(blocks(page, "python"))) for page in PAGES) > 10
 
 

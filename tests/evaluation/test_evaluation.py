@@ -48,10 +48,10 @@ def write_scan(folder, name, light, samples=81, wavelengths=(400, 550, 700)):
 @needs_data
 @pytest.mark.parametrize(
     ("name", "expected", "tolerance"),
-    [("preetham", 1.27, 0.01), ("hosek-wilkie", 0.56, 0.02), ("plain-air", 0.141, 0.004)],
+    [("preetham", 1.27, 0.01), ("hosek-wilkie", 0.56, 0.02), ("discrete-ordinates", 0.141, 0.004)],
 )
 def test_known_measures_at_the_usual_numbers(sky, name, expected, tolerance):
-    if name == "plain-air":
+    if name == "discrete-ordinates":
         pytest.importorskip("nanodisort")
     model = model_of(name)
     light = np.stack([band_mean(model.sky_of()(s), v) for s, v in zip(sky.suns, sky.directions, strict=True)])
@@ -156,7 +156,12 @@ def test_preethams_turbidity_is_fitted(sky):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("model", "fit", "most"),
-    [("plain-air", "no", 0.145), ("refitted", "no", 0.16), ("two-lobe-air", "half", 0.12), ("plain-air", "each", 0.11)],
+    [
+        ("discrete-ordinates", "no", 0.145),
+        ("refitted", "no", 0.16),
+        ("two-lobe-air", "half", 0.12),
+        ("discrete-ordinates", "each", 0.11),
+    ],
 )
 def test_how_near_physical_skies_come(sky, model, fit, most):
     pytest.importorskip("nanodisort")
@@ -173,7 +178,7 @@ def test_numbers_of_each_scan_are_told_as_spans():
 
 
 def test_unknown_models_and_fits_are_refused():
-    with pytest.raises(ValueError, match=r"model must be one of preetham, hosek-wilkie.* got 'none'"):
+    with pytest.raises(ValueError, match=r"model must be one of hosek-wilkie, preetham.* got 'none'"):
         evaluated(made_up_sky(), ["none"])
     with pytest.raises(ValueError, match="fit must be one of no, all, half, each, got 'best'"):
         evaluated(made_up_sky(), ["preetham"], "best")

@@ -10,12 +10,9 @@ from skydome.air.atmosphere import DARK_GREEN, Atmosphere
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.evaluation.evaluation import SkyOf
 from skydome.evaluation.measured_sky import MeasuredSky
-from skydome.skies.hosek_wilkie import HosekWilkie
-from skydome.skies.path_tracing.sky import PathTraced
+from skydome.skies.catalogue import CATALOGUE, AirModel, Model, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
-from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.physical.refitted import Numbers, Refitted
-from skydome.skies.preetham import Preetham
 from skydome.skies.sky import SpectralSky
 
 GROUND = 98_500.0
@@ -72,30 +69,45 @@ class Refit:
         return Refitted(sun, self.known[depth, asymmetry])
 
 
+PLAIN = {"depth": 0.06, "asymmetry": 0.76}
+PLAIN_LIMITS = {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)}
+TURBIDITY = 2.5
+"""A clear day's, where a fit does not look for it."""
+
+
+def of_air(model: AirModel, distance: float) -> EvaluatedModel:
+    """A sky of the catalogue in plain air; what is noisy is not fitted."""
+    kind: Any = model.kind
+    limits = {} if isinstance(model, TracedModel) else PLAIN_LIMITS
+    return EvaluatedModel(
+        model.name,
+        lambda sun, depth, asymmetry: kind(sun, plain_air(depth, asymmetry, distance)),
+        PLAIN,
+        limits,
+        model.failures,
+    )
+
+
+def of_numbers(model: Model) -> EvaluatedModel:
+    """A formula of the catalogue, its ranges the limits of the fit, over green ground where it knows the ground."""
+    kind: Any = model.kind
+    ground = {"albedo": DARK_GREEN} if "albedo" in model.takes else {}
+    spans = {name: span for name, span in model.kind.ranges.items() if name in model.takes and name not in ground}
+    limits = {name: (span.low, span.high) for name, span in spans.items() if span.is_finite}
+    usual = {name: TURBIDITY if name == "turbidity" else (low + high) / 2 for name, (low, high) in limits.items()}
+    return EvaluatedModel(
+        model.name, lambda sun, **numbers: kind(sun, **ground, **numbers), usual, limits, model.failures
+    )
+
+
 def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
-    """Every model by name; the physical ones with the sun at a `distance`, AU."""
+    """Every model by name: those of the catalogue that tell their failures, and skies of this study's own airs.
+
+    The physical ones have the sun at a `distance`, AU.
+    """
+    told = [model for model in CATALOGUE if model.failures and issubclass(model.kind, SpectralSky)]
     listed = (
-        EvaluatedModel(
-            "preetham",
-            lambda sun, turbidity: Preetham(sun, turbidity),
-            {"turbidity": 2.5},
-            {"turbidity": (2.0, 6.0)},
-            "about twice too bright away from the sun; far too bright round it",
-        ),
-        EvaluatedModel(
-            "hosek-wilkie",
-            lambda sun, turbidity: HosekWilkie(sun, turbidity, DARK_GREEN),
-            {"turbidity": 2.5},
-            {"turbidity": (1.0, 10.0)},
-            "at the turbidity that fits best 40 % too bright away from the sun and too dark round it",
-        ),
-        EvaluatedModel(
-            "plain-air",
-            lambda sun, depth, asymmetry: DiscreteOrdinates(sun, plain_air(depth, asymmetry, distance)),
-            {"depth": 0.06, "asymmetry": 0.76},
-            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
-            "no polarisation (up to 7 % at 400 nm); one lobe cannot have both the aureole and the sides right",
-        ),
+        *(of_air(model, distance) if isinstance(model, AirModel) else of_numbers(model) for model in told),
         EvaluatedModel(
             "two-lobe-air",
             lambda sun, **numbers: DiscreteOrdinates(sun, two_lobe_air(distance=distance, **numbers)),
@@ -104,32 +116,11 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
             "its aerosol has been fitted to this day and place",
         ),
         EvaluatedModel(
-            "nishita93",
-            lambda sun, depth, asymmetry: Nishita93(sun, plain_air(depth, asymmetry, distance)),
-            {"depth": 0.06, "asymmetry": 0.76},
-            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
-            "one scattering only: too dark, most of all in the blue and away from the sun",
-        ),
-        EvaluatedModel(
-            "nishita96",
-            lambda sun, depth, asymmetry: Nishita96(sun, plain_air(depth, asymmetry, distance)),
-            {"depth": 0.06, "asymmetry": 0.76},
-            {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)},
-            "two scatterings only: a few percent (red) to a fifth (blue) too dark",
-        ),
-        EvaluatedModel(
-            "path-traced",
-            lambda sun, depth, asymmetry: PathTraced(sun, plain_air(depth, asymmetry, distance), 0.01),
-            {"depth": 0.06, "asymmetry": 0.76},
-            {},
-            "noise of 1 %, so that its numbers are not fitted; else those of plain-air",
-        ),
-        EvaluatedModel(
             "refitted",
             Refit(distance),
-            {"depth": 0.06, "asymmetry": 0.76},
+            PLAIN,
             {},
-            "those of plain-air, and a fit error of about 2 %",
+            "those of discrete ordinates, and a fit error of about 2 %",
         ),
         EvaluatedModel(
             "bruneton-air",

@@ -1,6 +1,5 @@
 """Samples of a sky model for networks to learn: as the paper drew them, and richer ones."""
 
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,67 +7,45 @@ import numpy as np
 
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
+from skydome.skies.catalogue import CATALOGUE, Model
 from skydome.skies.neural.network import conditions, features
 from skydome.training.levenberg_marquardt import Samples
 
 LEAST_ELEVATION = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
 
 
-class Teacher(ABC):
-    """A sky model with the turbidities that its networks learn."""
+@dataclass(frozen=True)
+class Teacher:
+    """A model of the catalogue that networks learn, with the turbidities of its range."""
 
-    name: str
-    turbidities: tuple[float, float]
-    bands: tuple[float, ...] = ()
+    model: Model
 
-    @abstractmethod
-    def light(self, directions: np.ndarray, sun: np.ndarray, turbidity: Any, albedo: Any) -> np.ndarray:
-        """Linear sRGB (cd m-2), or spectral radiance in the bands, shape (..., outputs)."""
+    @property
+    def name(self) -> str:
+        """The name of its lesson."""
+        return self.model.lesson
 
+    @property
+    def turbidities(self) -> tuple[float, float]:
+        """Least and most."""
+        span = self.model.kind.ranges["turbidity"]
+        return span.low, span.high
 
-class PreethamTeacher(Teacher):
-    """Preetham's sky, turbidity 2-6."""
-
-    name, turbidities = "preetham", (2.0, 6.0)
-
-    def light(self, directions: np.ndarray, sun: np.ndarray, turbidity: Any, albedo: Any) -> np.ndarray:
-        """Linear sRGB, cut off at 0."""
-        from skydome.skies.preetham import Preetham
-
-        light: np.ndarray = np.maximum(Preetham(sun, turbidity).rgb(directions), 0.0)
-        return light
-
-
-class HosekWilkieTeacher(Teacher):
-    """Hosek and Wilkie's sky in its RGB form, turbidity 1-10; the paper's albedo is 0.5."""
-
-    name, turbidities = "hosek-wilkie", (1.0, 10.0)
+    @property
+    def bands(self) -> tuple[float, ...]:
+        """Wavelengths, nm, of spectral lessons; none where RGB is learned."""
+        return self.model.lesson_bands
 
     def light(self, directions: np.ndarray, sun: np.ndarray, turbidity: Any, albedo: Any) -> np.ndarray:
-        """Linear sRGB."""
-        from skydome.skies.hosek_wilkie import HosekWilkieRGB
-
-        light: np.ndarray = HosekWilkieRGB(sun, turbidity, albedo).rgb(directions)
-        return light
-
-
-class HosekWilkieSpectralTeacher(Teacher):
-    """Hosek and Wilkie's sky in its 11 bands, turbidity 1-10, any albedo."""
-
-    name, turbidities = "hosek-wilkie-spectral", (1.0, 10.0)
-    bands = tuple(float(w) for w in range(320, 721, 40))
-
-    def light(self, directions: np.ndarray, sun: np.ndarray, turbidity: Any, albedo: Any) -> np.ndarray:
-        """Spectral radiance, W m-2 sr-1 nm-1."""
-        from skydome.skies.hosek_wilkie import HosekWilkie
-
-        light: np.ndarray = HosekWilkie(sun, turbidity, albedo).radiance(directions, self.bands)
-        return light
+        """Linear sRGB (cd m-2), or spectral radiance in the bands, never negative, shape (..., outputs)."""
+        ground = {"albedo": albedo} if "albedo" in self.model.takes else {}
+        sky: Any = self.model.make(sun, {"turbidity": turbidity} | ground)
+        light = sky.radiance(directions, self.bands) if self.bands else sky.rgb(directions)
+        positive: np.ndarray = np.maximum(light, 0.0)
+        return positive
 
 
-TEACHERS: dict[str, Teacher] = {
-    teacher.name: teacher for teacher in (PreethamTeacher(), HosekWilkieTeacher(), HosekWilkieSpectralTeacher())
-}
+TEACHERS: dict[str, Teacher] = {model.lesson: Teacher(model) for model in CATALOGUE if model.lesson}
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,7 @@ COLUMNS = {
     "zenith_luminance_bias": "zenith",
     "illuminance_bias": "illuminance",
 }
-DEFAULT = "preetham,hosek-wilkie,plain-air,two-lobe-air"
+DEFAULT = "preetham,hosek-wilkie,discrete-ordinates,two-lobe-air"
 
 
 def evaluate(

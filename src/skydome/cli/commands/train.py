@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def train(
     output: Annotated[Path, Option("--output", "-o", help="The network's file, .safetensors.")],
     model: Annotated[
-        str, Option(metavar="preetham|hosek-wilkie|hosek-wilkie-spectral", help="What is learned.")
+        str, Option(metavar="LESSON", help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral ...")
     ] = "hosek-wilkie",
     recipe: Annotated[
         str,

@@ -23,7 +23,7 @@ def year(
     compat: Annotated[str, Option(metavar="paper|gendaylit|gendaymtx", help="Whose rules.")] = "paper",
     smooth: Annotated[bool, Option("--smooth", help="Blend neighbouring bins of clearness (ours).")] = False,
     colour: Annotated[
-        str | None, Option(metavar="preetham|hosek-wilkie", help="The clear sky that lends its colours.")
+        str | None, Option(metavar="MODEL", help="The clear sky that lends its colours: preetham, hosek-wilkie ...")
     ] = None,
     turbidity: Annotated[float, Option(help="Haze of that clear sky.")] = 3.0,
     wavelengths: Annotated[

@@ -1,6 +1,6 @@
 """Colour and spectrum for a year of measured skies, at Perez's luminance: a clear sky's and clouds', mixed."""
 
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,22 +16,21 @@ from skydome.years.skies.perez_year import PerezYear
 if TYPE_CHECKING:
     import xarray
 
-Clear = Literal["preetham", "hosek-wilkie"]
 VALUES_AT_ONCE = 1 << 21
 EVERY = np.arange(380.0, 781.0, 10.0)
 
 
 def clear_sky(kind: str, suns: np.ndarray, turbidity: Any) -> SpectralSky:
     """The clear sky that lends its colour, parameters (K, 1); ValueError for another name."""
-    from skydome.skies.hosek_wilkie import HosekWilkie
-    from skydome.skies.preetham import Preetham
+    from skydome.skies.catalogue import CATALOGUE
 
+    lenders = {model.name: model for model in CATALOGUE if model.is_clear_spectrum}
+    if kind not in lenders:
+        raise ValueError(f"colour must be one of {', '.join(lenders)}, got {kind!r}")
     haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), (len(suns),))[:, None]
-    if kind == "preetham":
-        return Preetham(suns[:, None], haze)
-    if kind == "hosek-wilkie":
-        return HosekWilkie(suns[:, None], haze, 0.2)
-    raise ValueError(f'colour must be "preetham" or "hosek-wilkie", got {kind!r}')
+    sky: Any = lenders[kind].make(suns[:, None], {"turbidity": haze})
+    clear: SpectralSky = sky
+    return clear
 
 
 def pieces(sky: PerezYear, cut: Patches, each: int) -> list[slice]:
@@ -64,7 +63,7 @@ def split(luminance: np.ndarray, clouds: np.ndarray) -> tuple[np.ndarray, np.nda
     return luminance - cloudy, cloudy
 
 
-def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: Clear, air: Weathered) -> None:
+def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str, air: Weathered) -> None:
     """Add `xyz` (time, patch, channel), Y the luminance, `diffuse_colour_temperature`, K, and `cloud_share` (time)."""
     luminance = data["luminance"].values
     xyz = np.zeros((*luminance.shape, 3), np.float32)
@@ -91,7 +90,7 @@ def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: Cle
 
 
 def add_spectrum(
-    data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: Clear, air: Weathered, wavelengths: Any
+    data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str, air: Weathered, wavelengths: Any
 ) -> None:
     """Add `radiance` (time, patch, wavelength) and the melanopic EDI and PAR of the diffuse horizontal light.
 
@@ -106,7 +105,7 @@ def add_spectrum(
     for part in pieces(sky, cut, 3 * EVERY.size + w.size):
         rows = sky.lit[part]
         clear = clear_sky(colour, sky.suns[rows], air.haze[part])
-        every = visible_radiance(clear, colour, cut)
+        every = visible_radiance(clear, cut)
         blue, grey = split(luminance[rows].astype(np.float64), air.clouds[part])
         factor = safe_divide(blue, every @ weights)[..., None]
         radiance[rows] = np.asarray(clear.radiance(cut.directions, w)) * factor + grey[..., None] * clouded
@@ -121,9 +120,9 @@ def add_spectrum(
     add_effects(data, horizontal)
 
 
-def visible_radiance(clear: SpectralSky, colour: Clear, cut: Patches) -> np.ndarray:
-    """Spectral radiance of the clear skies at `EVERY`, (K, N, 41); Hosek and Wilkie's is 0 above 720 nm."""
-    within = EVERY[EVERY <= 720] if colour == "hosek-wilkie" else EVERY
+def visible_radiance(clear: SpectralSky, cut: Patches) -> np.ndarray:
+    """Spectral radiance of the clear skies at `EVERY`, (K, N, 41); 0 beyond their bands, as Hosek and Wilkie's 720."""
+    within = EVERY[clear.bands[-1] >= EVERY]
     known = np.asarray(clear.radiance(cut.directions, within))
     every = np.zeros((*known.shape[:-1], EVERY.size))
     every[..., : within.size] = known

@@ -11,7 +11,7 @@ from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.years.skies import status as flags
-from skydome.years.skies.colour_year import Clear, Weathered, add_colour, add_spectrum
+from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
 from skydome.years.weather.plausibility import warn_of_wrong_place
@@ -32,7 +32,7 @@ def year(
     patches: "str | Patches" = "tregenza",
     compat: Compat = "paper",
     smooth: bool = False,
-    colour: Clear | None = None,
+    colour: str | None = None,
     wavelengths: Any = None,
     turbidity: Any = 3.0,
     clouds: Any = None,
