@@ -26,7 +26,7 @@ HOME = {
     "air.size_distributions": "Lognormal Junge GammaSizes",
     "air.transmittance": "ClearAir",
     "skies.sky": "Sky ColourSky SpectralSky",
-    "skies.combination": "Blend",
+    "skies.combination": "blend",
     "skies.uniform": "Uniform MoonSpencer",
     "skies.cie": "CIE CIEClear CIEIntermediate",
     "skies.formula.level": "clear_zenith_luminance overcast_zenith_luminance",

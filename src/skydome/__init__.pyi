@@ -72,7 +72,7 @@ from skydome.skies.captured import CapturedSky as CapturedSky
 from skydome.skies.cie import CIE as CIE
 from skydome.skies.cie import CIEClear as CIEClear
 from skydome.skies.cie import CIEIntermediate as CIEIntermediate
-from skydome.skies.combination import Blend as Blend
+from skydome.skies.combination import blend as blend
 from skydome.skies.daylight_sky import Daylight as Daylight
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance

@@ -76,7 +76,7 @@ def test_maps_are_made_in_place(path):
     "projection", [sd.Fisheye(), sd.CubeMap(), sd.EqualAreaSquare()], ids=["fisheye", "cube", "square"]
 )
 def test_other_layouts_and_sums(projection, path):
-    blend = sd.Blend(SKY, sd.Daylight(sd.MoonSpencer(zenith_luminance=5000.0)), 0.3)
+    blend = sd.blend(SKY, sd.Daylight(sd.MoonSpencer(zenith_luminance=5000.0)), 0.3)
     height = 36 if isinstance(projection, sd.CubeMap) else 32
     for sky in (SKY, SKY * 2.0, blend, sd.Daylight(sd.CIE(SUN, 12, zenith_luminance=3000.0))):
         single = sd.render(sky, height, projection=projection).pixels

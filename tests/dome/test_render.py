@@ -160,7 +160,7 @@ def test_the_ground_under_a_blend_is_the_clear_skys():
         sd.HosekWilkie(sd.direction(2.0, 0.7), 3.0, albedo=0.7),
         sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0)),
     )
-    whole = sd.Blend(clear, overcast, 0.4)
+    whole = sd.blend(clear, overcast, 0.4)
     dark, own = (sd.render(whole, height=32, ground_albedo=a).pixels[-1, 0] for a in (0.35, None))
     assert own == pytest.approx(2 * dark, rel=1e-5)
 

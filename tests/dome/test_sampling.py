@@ -31,7 +31,7 @@ OTHERS = {
     "overcast": lambda: sd.CIE(sun_at(30.0), 1, zenith_luminance=9000.0),
     "cie-13": lambda: sd.CIE(sun_at(50.0, 359.9), 13, illuminance=12_000.0),
     "partly-black": lambda: sd.Perez(sun_at(30.0), 4.0, -0.7, -1.5, -1.0, 0.1, illuminance=9000.0),
-    "blend": lambda: sd.Blend(
+    "blend": lambda: sd.blend(
         with_disc(sd.HosekWilkie(sun_at(20.0), 3.0)), sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0)), 0.4
     ),
     "disc-alone": lambda: sd.SunDisc(sun_at(40.0), 3.0),

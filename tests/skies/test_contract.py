@@ -156,7 +156,7 @@ def test_mixed_libraries_are_refused():
         (lambda: sd.Preetham(sun_at(30) * 2, 3.0), "sun must be finite unit vectors"),
         (lambda: sd.Preetham([0.0, 1.0], 3.0), r"sun must have shape \(..., 3\), got \(2,\)"),
         (lambda: sd.Preetham(sun_at(30), 3.0, check="no"), "check must be one of"),
-        (lambda: sd.Blend(sd.Uniform(1.0), sd.Uniform(2.0), 1.5), r"fraction must lie in \[0, 1\], got 1.5"),
+        (lambda: sd.blend(sd.Uniform(1.0), sd.Uniform(2.0), 1.5), r"fraction must lie in \[0, 1\], got 1.5"),
         (lambda: sd.Daylight(sd.Uniform(1.0), (0.0, 0.5)), "chromaticity must be"),
         (lambda: sd.HosekWilkie(sun_at(30), 3.0).radiance(sd.ZENITH, [800.0]), r"wavelengths must lie in \[320, 720\]"),
         (lambda: sd.Preetham(sun_at(30), 3.0).luminance([0.0, 0.0, 2.0]), "directions must be finite unit vectors"),

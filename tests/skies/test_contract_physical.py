@@ -122,7 +122,7 @@ def test_sums_and_multiples(name):
     doubled, mixed = sky * 2.0, sky + sd.Daylight(sd.Uniform(100.0))
     np.testing.assert_allclose(doubled.luminance(VIEWS), 2 * sky.luminance(VIEWS), rtol=1e-12)
     np.testing.assert_allclose(mixed.luminance(VIEWS), sky.luminance(VIEWS) + 100.0, rtol=1e-6)
-    blend = sd.Blend(sky, sd.Daylight(sd.Uniform(100.0)), 0.25)
+    blend = sd.blend(sky, sd.Daylight(sd.Uniform(100.0)), 0.25)
     np.testing.assert_allclose(blend.luminance(VIEWS), 0.75 * sky.luminance(VIEWS) + 25.0, rtol=1e-6)
 
 

@@ -104,7 +104,7 @@ def test_sum_and_blend():
     assert float(sd.illuminance(both)) == pytest.approx(expected)
     assert float(sd.illuminance((sky + disc) * 2.0)) == pytest.approx(2 * expected)
     grey = sd.Daylight(sd.MoonSpencer(zenith_luminance=5000.0))
-    half = sd.Blend(sky, grey, 0.25)
+    half = sd.blend(sky, grey, 0.25)
     np.testing.assert_allclose(half.xyz(views), 0.75 * sky.xyz(views) + 0.25 * grey.xyz(views), rtol=1e-12)
 
 

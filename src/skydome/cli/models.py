@@ -49,8 +49,8 @@ def given_parameters(model: "Model", options: SkyOptions) -> dict[str, Any]:
     found = {name: USUAL.get(name) if value is None else value for name, value in given.items()}
     for name, value in found.items():
         if value is None and model.needed.get(name):
-            unit = str(getattr(model.kind.ranges.get(name), "unit", ""))
-            about = ", ".join(part for part in (name.replace("_", " "), unit) if part)
+            span = model.kind.ranges.get(name)
+            about = ", ".join([name.replace("_", " "), *([span.unit] if span else [])])
             raise ValueError(f"{model.name} needs {option_name(name)} ({about})")
     return {name: value for name, value in found.items() if value is not None}
 

@@ -126,4 +126,4 @@ def blended(sky: Any, overcast: "ColourSky | None", options: SkyOptions) -> Any:
     """The sky with its share of overcast sky."""
     import skydome as sd
 
-    return sky if overcast is None else sd.Blend(sky, overcast, options.blend_overcast)
+    return sky if overcast is None else sd.blend(sky, overcast, options.blend_overcast)

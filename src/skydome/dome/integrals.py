@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, constant, floating, namespace
+from skydome.ground.arrays import Array, at_least, constant, floating, is_array, namespace
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
@@ -44,7 +44,7 @@ def own_array(value: Any) -> Any:
         )
     if isinstance(value, tuple | list):
         return next((found for item in value if (found := own_array(item)) is not None), None)
-    return floating(value) if hasattr(value, "dtype") and not isinstance(value, np.generic) else None
+    return floating(value) if is_array(value) and not isinstance(value, np.generic) else None
 
 
 def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:

@@ -71,6 +71,11 @@ def is_number(value: Any) -> bool:
     return isinstance(value, WITHOUT_DTYPE)
 
 
+def is_array(value: Any) -> bool:
+    """True for an array or a scalar of any library: what has a dtype."""
+    return hasattr(value, "dtype")
+
+
 def floating(value: Any, like: Any = None) -> Array:
     """The value as a floating array, shape kept; numbers and lists take dtype, library and device of the array `like`.
 
@@ -78,7 +83,7 @@ def floating(value: Any, like: Any = None) -> Array:
     """
     if value is None:
         raise TypeError("expected an array or a number, got None")
-    if hasattr(like, "dtype") and is_number(value):
+    if is_array(like) and is_number(value):
         return constant(value, like)
     if is_numpy(value):
         array = np.asarray(value)

@@ -40,7 +40,7 @@ class CIE(LuminanceFormulaSky):
     0.4544524
     """
 
-    type: Any = 12
+    type: int | np.ndarray = 12
     zenith_luminance: Any = field(default=None, kw_only=True)
     illuminance: Any = field(default=None, kw_only=True)
     source: ClassVar[str] = "CIE S 011/E:2003 (ISO 15469:2004)"

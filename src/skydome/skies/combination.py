@@ -14,7 +14,7 @@ from skydome.skies.validity import Range, require
 
 @dataclass(frozen=True, eq=False)
 class Combination(Sky):
-    """The weighted sum of skies; answers on the highest rung that all of them know. Made by `+`, `*` and `Blend`."""
+    """The weighted sum of skies; answers on the highest rung that all of them know. Made by `+`, `*` and `blend`."""
 
     members: tuple[Sky, ...]
     weights: tuple[Any, ...]
@@ -70,7 +70,7 @@ class Combination(Sky):
             light = getattr(sky, method)(*arguments)
             if not is_one(weight):
                 weight = floating(weight, like=light)
-                light = light * (weight[..., None] if axes and getattr(weight, "ndim", 0) else weight)
+                light = light * (weight[..., None] if axes and weight.ndim else weight)
             result = light if result is None else result + light
         if self.follows_one_sun:
             return result
@@ -124,14 +124,14 @@ def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:
     return kind(tuple(skies), tuple(weights))
 
 
-def Blend(clear: Sky, overcast: Sky, fraction: Any) -> Combination:
+def blend(clear: Sky, overcast: Sky, fraction: Any) -> Combination:
     """The sky (1 - fraction) clear + fraction overcast, for hazy days between the two (Preetham 1999, section 5).
 
     `fraction` in [0, 1], any shape that broadcasts with the skies' parameters; ValueError outside.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=0.0, elevation=0.7)
-    >>> half = sd.Blend(sd.Uniform(1000.0), sd.Uniform(3000.0), 0.5)
+    >>> half = sd.blend(sd.Uniform(1000.0), sd.Uniform(3000.0), 0.5)
     >>> float(half.luminance(sd.ZENITH))
     2000.0
     """

@@ -6,14 +6,14 @@ that is behind a multiplied one, and the nine numbers of its luminance or RGB (`
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, is_dataclass
 from functools import reduce
 from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_array, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, xyz_weights
@@ -235,7 +235,7 @@ class SpectralSky(ColourSky):
 
 def has_library(value: Any) -> bool:
     """True for arrays that must share one library: all but NumPy's whole numbers, which are mere indices."""
-    return hasattr(value, "dtype") and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
+    return is_array(value) and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
 
 
 def plain(value: Any) -> Any:
@@ -248,7 +248,7 @@ def plain(value: Any) -> Any:
         return value
     if isinstance(value, PathLike):
         return str(value)
-    if hasattr(value, "__dataclass_fields__"):
-        return {name: plain(getattr(value, name)) for name in value.__dataclass_fields__}
+    if is_dataclass(value):
+        return {item.name: plain(getattr(value, item.name)) for item in fields(value)}
     array = as_numpy(value)
     return array.tolist() if array.size <= 64 else f"array{array.shape}"

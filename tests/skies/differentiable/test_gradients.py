@@ -106,7 +106,7 @@ FREE = {
     "preetham-turbidity": lambda x, sun: sd.Preetham(sun, x),
     "sun-disc-turbidity": lambda x, sun: sd.SunDisc(sun, x, 0.1),
     "daylight-of-all-weather": lambda x, sun: sd.Daylight(sd.PerezAllWeather(sun, x * 200.0, 120.0)),
-    "blend": lambda x, sun: sd.Blend(sd.HosekWilkie(sun, 3.2), sd.Preetham(sun, 3.0), x * 0.1),
+    "blend": lambda x, sun: sd.blend(sd.HosekWilkie(sun, 3.2), sd.Preetham(sun, 3.0), x * 0.1),
     "scaled": lambda x, sun: sd.HosekWilkie(sun, 3.2) * x + sd.SunDisc(sun, 3.0, 0.1),
 }
 

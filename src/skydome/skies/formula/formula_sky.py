@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, floating, is_numpy, namespace
+from skydome.ground.arrays import Array, floating, is_array, is_numpy, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
@@ -75,7 +75,7 @@ class FormulaSky(SunlitSky):
                 raise TypeError(f"out is for NumPy arrays, got directions of {type(directions).__name__}")
             return quantity.of(self.channels(directions, coefficients))
         directions = floating(directions)
-        wanted = directions.dtype if out is None else getattr(out, "dtype", None)
+        wanted = directions.dtype if out is None else out.dtype if is_array(out) else None
         shape = self.light_shape(directions, coefficients, quantity)
         out = out if out is None else checked_out(out, shape)
         kernel = chosen(PRICE_OF_DIRECTIONS * int(np.prod(shape)), coefficients) if wanted == np.float32 else None

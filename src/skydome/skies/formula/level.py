@@ -44,7 +44,7 @@ def levelled(
         sun_zenith = xp.where(sun_zenith < np.pi / 2, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
         reference = horizontal_integral(coefficients, sun_zenith, offset, floor)
         target = floating(illuminance, like=coefficients)
-    factor = safe_divide(target[..., None] if getattr(target, "ndim", 0) else target, reference)
+    factor = safe_divide(target[..., None] if target.ndim else target, reference)
     level = coefficients[..., R] * factor
     level, rest = level[..., None], coefficients[..., 1:]
     rest = xp.broadcast_to(rest, (*np.broadcast_shapes(tuple(level.shape[:-1]), tuple(rest.shape[:-1])), 9))

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, floating, is_numpy, namespace, safe_sqrt
+from skydome.ground.arrays import Array, at_least, floating, is_array, is_numpy, namespace, safe_sqrt
 from skydome.ground.directions import angle_between
 from skydome.ground.quadrature import half_hemisphere_about
 
@@ -29,7 +29,7 @@ EDGE_NODES = 256
 def from_perez(level: Array, a: Array, b: Array, c: Array, d: Array, e: Array, constant_term: Any = 1.0) -> Array:
     """Coefficients (..., 1, 10) of a Perez sky: (1 + a exp(b / cos t)) (constant_term + c exp(d g) + e cos^2 g)."""
     xp = namespace(level, a, b, c, d, e, constant_term)
-    like = next((value for value in (a, level, c, constant_term) if hasattr(value, "dtype")), a)
+    like = next((value for value in (a, level, c, constant_term) if is_array(value)), a)
     letters = [floating(value, like=like) for value in (level, a, b, constant_term, c, d, e)]
     letters = list(xp.broadcast_arrays(*letters))
     nothing = xp.zeros_like(letters[0])

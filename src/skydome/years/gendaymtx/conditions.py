@@ -3,10 +3,9 @@
 A second form of `skies.perez_all_weather` by that program's rules and limits (see `matrix`), with NumPy alone.
 """
 
-import os
-
 import numpy as np
 
+from skydome.ground.tables import columns
 from skydome.ground.units import SOLAR_CONSTANT
 
 SOLAR_LIGHT_CONSTANT = 127_500.0
@@ -15,14 +14,10 @@ SOLAR_LIGHT_CONSTANT = 127_500.0
 LONGEST_STEP, MOST_STEPS = 10.0, 5
 """Irradiances are taken as found when they move by no more than 10 W m-2, or after 5 steps."""
 
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(__file__))), "ground", "data")
-
 
 def table(name: str) -> np.ndarray:
     """The numbers of a table of `ground/data`, (rows, columns)."""
-    with open(os.path.join(FOLDER, f"{name}.csv"), encoding="utf-8") as file:
-        lines = [line for line in file if line[0] not in "#\n"]
-    return np.array([line.split(",") for line in lines[1:]], dtype=np.float64)
+    return np.stack(list(columns(name).values()), axis=-1)
 
 
 def conditions(

@@ -28,7 +28,6 @@ COMPATS = ("paper", "gendaylit", "gendaymtx")
 
 def year(
     weather: "Weather | str | PathLike[str]",
-    model: str = "perez",
     patches: "str | Patches" = "tregenza",
     compat: Compat = "paper",
     smooth: bool = False,
@@ -62,8 +61,6 @@ def year(
     True
     """
     required("xarray", "year", "a year of skies")
-    if model != "perez":
-        raise ValueError(f'model must be "perez", got {model!r}')
     if compat not in COMPATS:
         raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
     if not isinstance(weather, Weather):
