@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import skydome as sd
-from skydome.cli.animate_frames import Job, run
+from skydome.captures.frames import Job, run
 
 PLACE = sd.Place(45.07, 7.69, 240)
 
@@ -25,7 +25,9 @@ def main():
         folder.mkdir()
         captures(folder)
         wall, cpu = time.perf_counter(), time.process_time()
-        facts = run(Job(folder, Path(name) / "frames", 240, "latlong", None, None, 0.0, 0, True))
+        facts = run(
+            Job(folder, Path(name) / "frames", 240, "latlong", None, None, 0.0, 0, True), lambda stage, share: None
+        )
         print(f"whole command {time.perf_counter() - wall:.1f} s (processor {time.process_time() - cpu:.1f} s)")
         print({key: facts[key] for key in ("training_s", "frames_s", "largest_change_over_median")})
 

@@ -91,6 +91,43 @@ def test_a_sun_below_the_horizon_is_refused_with_its_twilight(refused, tmp_path,
     assert list(tmp_path.iterdir()) == []
 
 
+OUTPUTS = {
+    "plot": ("plot.exr", "nowhere/plot.png"),
+    "shader": ("nowhere/sky.glsl",),
+    "evaluate --table": ("nowhere/table.csv",),
+    "evaluate --figures": ("nowhere",),
+    "simulate": ("nowhere/store.zarr",),
+    "fit": ("nowhere/own.npz", "own.txt"),
+    "train": ("nowhere/net.safetensors", "net.npz"),
+    "animate": ("nowhere/frames",),
+    "terrain": ("nowhere/a.png", "a.jpg"),
+    "glare": ("nowhere/a.png", "a.jpg"),
+    "year": ("nowhere/a.nc", "a.csv"),
+    "year --suns": ("nowhere/a.rad", "a.txt"),
+    "year --plot": ("nowhere/a.png", "a.jpg"),
+    "convert": ("nowhere/a.exr", "a.jpg"),
+}
+
+
+@pytest.mark.parametrize(("command", "name"), [(command, name) for command, names in OUTPUTS.items() for name in names])
+def test_every_command_refuses_its_output_before_its_input(refused, tmp_path, command, name):
+    """What could not be written is refused before any work: here before the input is found to be missing."""
+    command, _, option = command.partition(" ")
+    given = {
+        "plot": DAY, "shader": DAY, "glare": ("in.exr", "--view", "0,0"), "terrain": (*DAY, "in.npz"), "train": (),
+        "simulate": (str(grid(tmp_path)),), "evaluate": (str(tmp_path),),
+    }.get(command, ("in.epw",))  # fmt: skip
+    line = refused(command, *given, option or "-o", tmp_path / name)
+    assert "folder to write to must exist" in line if "nowhere" in name else "must end in" in line
+    assert not (tmp_path / "nowhere").exists()
+
+
+def grid(folder):
+    path = folder / "grid.toml"
+    path.write_text("turbidities = [2.0]\nalbedos = [0.0]\nelevations = [30.0]\nwavelengths = [500.0]\n")
+    return path
+
+
 @pytest.mark.parametrize("name", ["sky.jpg", "sky", "nowhere/sky.exr"])
 def test_a_file_that_cannot_be_written_is_refused_before_the_work(refused, tmp_path, name):
     refused("render", *DAY, "-o", tmp_path / name)

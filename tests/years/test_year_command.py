@@ -59,8 +59,10 @@ def test_a_full_disk_leaves_nothing(files, tmp_path, ending):
     [
         (["missing.epw"], "missing.epw"),
         (["site.txt"], "a weather file must end in"),
-        (["EPW", "-o", "year.json"], "-o must end in .zarr, .nc, .mtx"),
+        (["EPW", "-o", "year.json"], "-o must end in .zarr, .nc or .mtx"),
         (["EPW", "-o", "no/such/year.mtx"], "the folder to write to must exist"),
+        (["EPW", "--suns", "no/such/suns.rad"], "the folder to write to must exist"),
+        (["EPW", "--plot", "year.jpg"], "must end in .png, .svg or .pdf"),
         (["EPW", "--patches", "klems"], "patches must be tregenza"),
         (["EPW", "--compat", "magic"], "compat must be one of"),
         (["EPW", "-o", "TMP/a.mtx", "--patches", "equal-area:1"], "hold Tregenza's or Reinhart's"),
@@ -94,3 +96,15 @@ def test_many_sites_with_a_bad_row(files, tmp_path):
     assert answer.returncode == 2
     again = skydome(*words, "--workers", 1)  # nothing is left to do
     assert json.loads(again.stdout)["done"] == 1
+
+
+def test_a_store_tells_the_same_facts_as_a_file(files, tmp_path):
+    """The year that is written in pieces is computed once: its facts are read from the store."""
+    told = [
+        json.loads(skydome(files["wea"], "-o", tmp_path / name, "--suns", tmp_path / f"{name}.rad", "--json").stdout)
+        for name in ("a.zarr", "a.nc")
+    ]
+    assert (tmp_path / "a.zarr.rad").read_bytes() == (tmp_path / "a.nc.rad").read_bytes()
+    for facts in told:
+        facts.pop("files")
+    assert told[0] == told[1]

@@ -11,4 +11,5 @@
 - interpolation       Ways from one measured sky to the next, cross-fades, a cubic through four
 - capture_training    A neural sky for one day: the published network trained on captures turned to a common azimuth
 - animation           Skies between captures: a day's maps, frame by frame, smooth in time
+- frames              Those frames in files, each step kept, so that it can be interrupted
 """

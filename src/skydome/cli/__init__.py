@@ -7,8 +7,8 @@
 - physical_models   The skies from first principles as models of the command line, what air, how long to trace
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
-- printing          Tables and JSON on stdout, progress on stderr
-- animate_frames    The work of `skydome animate`, read, train, write frames, each step kept
+- doors             Which files may be written, and what is shown on stderr while one waits
+- printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
 - commands/         One command a file
 """

@@ -13,9 +13,10 @@ from skydome.cli.commands.evaluate import evaluate
 from skydome.cli.commands.fit import fit
 from skydome.cli.commands.glare import glare
 from skydome.cli.commands.illuminance import illuminance
+from skydome.cli.commands.light import light
 from skydome.cli.commands.list_models import models
 from skydome.cli.commands.plot import plot
-from skydome.cli.commands.render import light, render
+from skydome.cli.commands.render import render
 from skydome.cli.commands.shader import shader
 from skydome.cli.commands.simulate import simulate
 from skydome.cli.commands.sun import sun

@@ -1,9 +1,8 @@
-"""Tables and JSON on stdout, progress on stderr."""
+"""Tables and JSON on stdout."""
 
 import json
 import math
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any
 
 
@@ -13,6 +12,24 @@ def show(facts: Mapping[str, Any], rows: Mapping[str, str], as_json: bool) -> No
         print_json(facts)
     else:
         print_table(rows)
+
+
+def show_facts(facts: Mapping[str, Any], as_json: bool) -> None:
+    """Print facts as JSON, or as a table of their own names, without those that are empty."""
+    show(facts, {name: text_of(value) for name, value in facts.items() if value not in (None, [], {}, "")}, as_json)
+
+
+def text_of(value: Any) -> str:
+    """A fact as people read it.
+
+    >>> text_of(0.1234567), text_of([1.5, 2.0]), text_of({"latitude": 45.07})
+    ('0.123457', '1.5, 2', 'latitude 45.07')
+    """
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {text_of(item)}" for name, item in value.items())
+    if isinstance(value, list):
+        return ("\n" if any(isinstance(item, str) for item in value) else ", ").join(map(text_of, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def print_json(facts: Any) -> None:
@@ -45,16 +62,3 @@ def print_table(rows: Mapping[str, str]) -> None:
     for name, text in rows.items():
         table.add_row(Text(name), Text(text))
     Console().print(table)
-
-
-@contextmanager
-def busy(what: str, long: bool) -> Iterator[None]:
-    """A spinner on stderr while something long is done; nothing where stderr is no terminal."""
-    from rich.console import Console
-
-    console = Console(stderr=True)
-    if not (long and console.is_terminal):
-        yield
-        return
-    with console.status(what):
-        yield

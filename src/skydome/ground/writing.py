@@ -8,6 +8,21 @@ from os import PathLike
 from pathlib import Path
 
 
+def require_place(path: str | PathLike[str], folder: bool = False) -> Path:
+    """The real path of what is to be written; OSError with one line where its folder is missing or locked.
+
+    A folder may not stand in a file's place; with `folder` a folder is what is written.
+    """
+    final = Path(os.path.realpath(path))
+    if final.is_dir() and not folder:
+        raise IsADirectoryError(f"the file to write must not be a folder, got {path}")
+    if not final.parent.is_dir():
+        raise FileNotFoundError(f"the folder to write to must exist, got {final.parent}")
+    if not os.access(final.parent, os.W_OK):
+        raise PermissionError(f"the folder to write to must not be locked, got {final.parent}")
+    return final
+
+
 @contextmanager
 def appearing(path: str | PathLike[str]) -> Iterator[Path]:
     """A temporary name in the folder of `path`: write there; on leaving it becomes `path`, on any error it is removed.
@@ -21,11 +36,7 @@ def appearing(path: str | PathLike[str]) -> Iterator[Path]:
     >>> [entry.name for entry in folder.iterdir()]
     ['note.txt']
     """
-    final = Path(os.path.realpath(path))
-    if final.is_dir():
-        raise IsADirectoryError(f"the file to write must not be a folder, got {path}")
-    if not final.parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {final.parent}")
+    final = require_place(path)
     beside = final.with_name(f".{final.name}.{secrets.token_hex(4)}.part")
     try:
         beside.open("xb").close()

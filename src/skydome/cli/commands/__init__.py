@@ -1,6 +1,7 @@
 """One command a file.
 
-- render       `skydome render`, an environment map of the sky in a file, `skydome light`
+- render       `skydome render`, an environment map of the sky in a file
+- light        `skydome light`: the numbers of the sky's light
 - plot         `skydome plot`: the sky's luminance as a round picture, looking up
 - sun          `skydome sun`: where the sun stands and when it rises, sets and leaves the sky dark
 - list_models  `skydome models`: every model with its parameters, ranges, rung and source, as the classes tell them

@@ -1,12 +1,13 @@
 """`skydome animate`: smooth frames between captured skies."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress
 from skydome.cli.options import AsJson, Half
-from skydome.cli.printing import show
+from skydome.cli.printing import show_facts
 
 Layout = Annotated[
     str, Option(help="How the maps lie in their files: latlong, angular, mirror-ball, fisheye or fisheye-equisolid.")
@@ -35,12 +36,13 @@ def animate(
 
     import skydome as sd
     from skydome.captures.captures import layout_named
-    from skydome.cli.animate_frames import Job, run, write_masks
+    from skydome.captures.frames import Job, run, write_masks
 
     if frames < 2:
         raise ValueError(f"frames must be at least 2, got {frames}")
     layout_named(layout)
     where = None if place is None else sd.Place.parse(place)
     job = Job(folder, output, frames, layout, where, zone, radians(horizon), seed, half)
-    facts: dict[str, Any] = write_masks(job) if masks else run(job)
-    show(facts, {name: str(value) for name, value in facts.items()}, as_json)
+    with progress("reading captures") as report:
+        facts = (write_masks if masks else run)(job, lambda stage, share: report(share, 1.0, stage))
+    show_facts(facts, as_json)

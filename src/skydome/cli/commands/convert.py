@@ -5,9 +5,10 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from skydome.cli.commands.render import LONG, file_facts, file_rows, refuse_output
+from skydome.cli.commands.render import file_facts, file_rows
+from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson, Half, Target
-from skydome.cli.printing import busy, show
+from skydome.cli.printing import show
 
 From = Annotated[str, Option("--from", help="The layout of the file that is read: a renderer, as for --target.")]
 
@@ -23,14 +24,15 @@ def convert(
 ) -> None:
     """Bring a map into another renderer's layout, its light conserved."""
     import skydome as sd
+    from skydome.maps.files import FORMATS
     from skydome.maps.loading import load
 
     wanted = sd.target(target)
     sd.target(layout)
-    refuse_output(output)
+    require_output(output, "a map's file", FORMATS)
     picture = load(source, target=layout)
     rows = picture.height_in(wanted.projection) if height is None else height
-    with busy(f"resampling to {rows} rows", max(rows, picture.height) >= LONG):
+    with progress(f"resampling to {rows} rows"):
         result = picture.resampled(wanted.projection, rows)
         result.save(output, target=target, half=half)
     before, after = float(picture.illuminance()), float(result.illuminance())

@@ -5,8 +5,9 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress, require_folder, require_output
 from skydome.cli.options import AsJson
-from skydome.cli.printing import busy, print_json
+from skydome.cli.printing import print_json
 from skydome.ground.extras import required
 
 COLUMNS = {
@@ -40,15 +41,14 @@ def evaluate(
     from skydome.evaluation.measured_sky import MeasuredSky
     from skydome.evaluation.runs import evaluated
 
+    require_output(table, "the table")
+    require_folder(figures)
     if figures is not None:
         required("matplotlib", "plot", "a figure")
     sky = MeasuredSky.open(measured)
     if not 0 <= scan < len(sky):
         raise ValueError(f"scan must lie in [0, {len(sky) - 1}], got {scan}")
-    for place, kind in ((table, "file"), (figures, "folder")):
-        if place is not None and not (place if kind == "folder" else place.parent).is_dir():
-            raise FileNotFoundError(f"the {kind} to write to must lie in a folder that exists, got {place}")
-    with busy("evaluating", long=True):
+    with progress("evaluating"):
         runs = evaluated(sky, [name.strip() for name in models.split(",")], fit)
     rows = [run.row() for run in runs]
     if table is not None:

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson
-from skydome.cli.printing import show
+from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
 
 if TYPE_CHECKING:
@@ -35,17 +36,14 @@ def fit(
 
     if form not in ENDINGS:
         raise ValueError(f"--form must be one of {', '.join(ENDINGS)}, got {form!r}")
-    if output.suffix != ENDINGS[form]:
-        raise ValueError(f"the file of {form} must end in {ENDINGS[form]}, got {output.name}")
-    if not output.parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {output.parent}")
+    require_output(output, f"the file of {form}", (ENDINGS[form],))
     for name, value, high in (("--lowest", lowest, 89.0), ("--albedo", albedo, 1.0)):
         if not 0 <= value <= high:
             raise ValueError(f"{name} must lie in [0, {high:g}], got {value:g}")
     required("scipy", "fit", "a fit")
     family = SkyFamily.from_store(store, lowest * deg)
     facts = tables_facts(family, output) if form == "hosek-wilkie" else numbers_facts(family, output, albedo)
-    show(facts, {name: told(value) for name, value in facts.items()}, as_json)
+    show_facts(facts, as_json)
 
 
 def numbers_facts(family: "SkyFamily", output: Path, albedo: float) -> dict[str, Any]:
@@ -59,14 +57,10 @@ def numbers_facts(family: "SkyFamily", output: Path, albedo: float) -> dict[str,
 
 def tables_facts(family: "SkyFamily", output: Path) -> dict[str, Any]:
     """Hosek and Wilkie's tables, fitted and written with progress on stderr."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from skydome.own_air.bezier_family import bezier_family
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("fitting wavelengths", total=None)
-        tables = bezier_family(family, lambda done, of: bar.update(task, completed=done, total=of))
+    with progress("fitting wavelengths") as report:
+        tables = bezier_family(family, report)
     tables.save(output)
     return facts_of(output, tables)
 
@@ -83,10 +77,3 @@ def facts_of(path: Path, tables: Any) -> dict[str, Any]:
         "by_turbidity": (square.mean(axis=(1, 2)) ** 0.5).tolist(),
         "by_wavelength": (square.mean(axis=(0, 1)) ** 0.5).tolist(),
     }
-
-
-def told(value: Any) -> str:
-    """A fact in a line."""
-    if isinstance(value, list):
-        return ", ".join(f"{number:.4g}" for number in value)
-    return f"{value:.4f}" if isinstance(value, float) else str(value)

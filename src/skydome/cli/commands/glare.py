@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress, require_picture
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
 from skydome.ground.extras import required
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from skydome.eye.view import Camera
     from skydome.maps.environment_map import EnvironmentMap
 
-PICTURES = (".png", ".exr")
 SPREADS = ("stiles-holladay", "cie", "photopic", "mesopic", "scotopic")
 LOW_RANGE = (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp")
 
@@ -59,15 +59,17 @@ def glare(
     looker = eye_of(age, iris, pupil, spread, seed)
     frame = Camera(azimuth * deg, elevation * deg, fov * deg, size)
     require_view_of_glare(frame)
-    refuse_picture(output, exposure)
+    require_picture(output, exposure)
     required("scipy", "eye", "glare")
     environment = bright_map(source, target, white)
-    numbers_of_glare = measured(environment, frame.azimuth, frame.elevation, age)
+    with progress("measuring the glare"):
+        numbers_of_glare = measured(environment, frame.azimuth, frame.elevation, age)
     facts = glare_facts(numbers_of_glare) | {"source": str(source), "view_deg": [azimuth, elevation], "fov_deg": fov}
     facts |= {"age": age, "iris": iris, "spread": str(looker.own_spread)}
     if output is not None:
-        seen = LensFlare(seed=seed).look(environment, frame) if lens_flare else looker.look(environment, frame)
-        save_seen(output, seen, frame, exposure)
+        with progress("painting the view"):
+            seen = (LensFlare(seed=seed) if lens_flare else looker).look(environment, frame)
+            save_seen(output, seen, frame, exposure)
         facts |= {"file": str(output), "suns_in_map": len(seen.sources)}
     show(facts, glare_rows(facts), as_json)
 
@@ -89,18 +91,6 @@ def eye_of(age: float, iris: str | None, pupil: float | None, spread: str | None
         raise ValueError(f"--iris goes with --spread cie, which knows irises, got --spread {spread}")
     chosen = None if spread == "stiles-holladay" else getattr(point_spread, spread.upper())
     return Eye(age, pupil=pupil, spread=chosen, needles=needles)
-
-
-def refuse_picture(path: Path | None, exposure: float | None) -> None:
-    """ValueError or OSError, before the work, for a picture that could not be written in the end."""
-    if exposure is not None and not 0 < exposure < float("inf"):
-        raise ValueError(f"--exposure must be positive and finite, got {exposure:g}")
-    if path is None:
-        return
-    if path.suffix.lower() not in PICTURES:
-        raise ValueError(f"a picture's file must end in {' or '.join(PICTURES)}, got {path.name!r}")
-    if not path.absolute().parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {path.parent}")
 
 
 def bright_map(path: Path, target: str, white: float | None) -> "EnvironmentMap":

@@ -7,10 +7,11 @@ from typing import Annotated, Any
 
 from typer import Option
 
+from skydome.cli.doors import require_output
 from skydome.cli.moment import Moment, place_text
 from skydome.cli.numbers_of_light import light_facts, notes_row, parameters_text
 from skydome.cli.options import AsJson, SkyOptions, taking
-from skydome.cli.printing import print_json, print_table
+from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
 
@@ -24,8 +25,9 @@ def plot(
     as_json: AsJson = False,
 ) -> None:
     """Plot the sky's luminance looking up: north up, east at the left; with the sun's path of the day."""
-    from skydome.figures.skies import save_figure, sky_figure
+    from skydome.figures.skies import FORMATS, save_figure, sky_figure
 
+    require_output(output, "a plot's file", FORMATS)
     required("matplotlib", "plot", "a plot")
     scene = scene_of(options)
     moment = scene.moment
@@ -36,11 +38,8 @@ def plot(
     figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
     save_figure(figure, output)
     facts = light_facts(scene) | {"file": str(output), "bytes": output.stat().st_size}
-    if as_json:
-        print_json(facts)
-    else:
-        seen = "looking up: north up, east at the left"
-        print_table({"file": str(output), "plot": seen} | notes_row(facts["notes"]))
+    rows = {"file": str(output), "plot": "looking up: north up, east at the left"}
+    show(facts, rows | notes_row(facts["notes"]), as_json)
 
 
 def caption(moment: Moment) -> str:

@@ -1,19 +1,18 @@
-"""`skydome render`: an environment map of the sky in a file; `skydome light`: its numbers without the map."""
+"""`skydome render`: an environment map of the sky in a file."""
 
 from pathlib import Path
 from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.moment import pointing
+from skydome.cli.doors import progress, require_output
 from skydome.cli.numbers_of_light import light_facts, light_rows, notes_row
 from skydome.cli.options import AsJson, Half, SkyOptions, Target, taking
-from skydome.cli.printing import busy, show
+from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
 
 SPACES = {"srgb": "SRGB", "rec2020": "REC2020", "acescg": "ACESCG"}
 USUAL_TEXELS = 2 * 1024**2
-LONG = 2048
 
 
 @taking(SkyOptions)
@@ -31,54 +30,24 @@ def render(
 ) -> None:
     """Write an environment map of the sky and print its numbers."""
     import skydome as sd
+    from skydome.maps.files import FORMATS
 
     layout = sd.target(target)
     rows = layout.projection.height_for(USUAL_TEXELS) if height is None else height
     layout.projection.shape(rows)  # refuses a height before the work
-    refuse_output(output)
+    require_output(output, "a map's file", FORMATS)
     colours = space_named(space)
     albedo = ground_albedo(ground, options)
     scene = scene_of(options)
     metadata = {} if scene.moment is None else scene.moment.metadata
     metadata["software"] = f"skydome {sd.__version__}"
-    with busy(f"rendering {rows} rows", rows >= LONG):
+    with progress(f"rendering {rows} rows"):
         picture = sd.render(
             scene.whole, rows, projection=layout.projection, space=colours, ground_albedo=albedo, metadata=metadata
         )
         picture.save(output, target=target, half=half)
     facts = light_facts(scene) | file_facts(output, picture.pixels.shape, layout, colours.name)
     show(facts, light_rows(facts) | file_rows(facts) | notes_row(facts["notes"]), as_json)
-
-
-@taking(SkyOptions)
-def light(
-    options: SkyOptions,
-    normal: Annotated[
-        str | None, Option(metavar="AZ,EL", help="Also the illuminance of a plane that faces this way, degrees.")
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Print the numbers of the sky's light without making a map."""
-    import skydome as sd
-
-    facing = None if normal is None else pointing(normal, "--normal")
-    scene = scene_of(options)
-    facts = light_facts(scene)
-    rows = light_rows(facts)
-    if facing is not None:
-        facts["illuminance_lx"]["plane"] = value = float(sd.illuminance(scene.whole, facing))
-        rows[f"plane facing {normal}"] = f"{value:,.0f} lx"
-    show(facts, rows, as_json)
-
-
-def refuse_output(path: Path) -> None:
-    """ValueError or OSError, before the work, for a file that could not be written in the end."""
-    from skydome.maps.files import FORMATS
-
-    if path.suffix.lower() not in FORMATS:
-        raise ValueError(f"a map's file must end in {', '.join(FORMATS)}, got {path.name!r}")
-    if not path.absolute().parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {path.parent}")
 
 
 def space_named(name: str) -> Any:

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from typer import Option
 
+from skydome.cli.doors import require_output
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
@@ -24,6 +25,7 @@ def shader(
     import skydome as sd
     from skydome.ground.writing import appearing
 
+    require_output(output, "the shader's file")
     scene = scene_of(options)
     source = sd.shader(scene.sky, lang, scale=scale, bands=bands)
     if output is None and not as_json:

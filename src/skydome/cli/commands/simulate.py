@@ -5,6 +5,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress
 from skydome.cli.options import AsJson
 from skydome.cli.printing import print_json
 
@@ -22,16 +23,14 @@ def simulate(
 
     Radiance is in sr-1 for sunlight of irradiance 1. Interrupt it at will: finished pieces stay.
     """
-    from rich.console import Console
-    from rich.progress import Progress
-
+    from skydome.ground.writing import require_place
     from skydome.own_air.grid import Grid
     from skydome.own_air.grid import simulate as run
 
     wanted = Grid.load(grid)
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("simulating", total=None)
-        count = run(wanted, output, scheduler, workers, lambda done, of: bar.update(task, completed=done, total=of))
+    require_place(output, folder=True)
+    with progress("simulating") as report:
+        count = run(wanted, output, scheduler, workers, report)
     facts = {"store": str(output), "pieces": len(wanted.pieces), "computed": count, "shape": list(wanted.shape)}
     if as_json:
         print_json(facts)

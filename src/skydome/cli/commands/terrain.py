@@ -5,8 +5,9 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress, require_picture
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
-from skydome.cli.printing import show
+from skydome.cli.printing import show_facts
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
 
@@ -44,7 +45,7 @@ def terrain(
     from skydome.land.texture import read_texture
     from skydome.light.colour import SRGB
 
-    refuse_picture(output, exposure)
+    require_picture(output, exposure)
     required("numba", "terrain", "a terrain picture")
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)
@@ -54,21 +55,11 @@ def terrain(
     )
     known = any(part.sunlit is not None and part.sunlit.haze is not None for part in scene.whole.parts)
     air = None if no_air else AirLight(scene.whole, turbidity=options.turbidity or (None if known else 3.0))
-    with rows_done() as progress:
-        picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=progress)
+    with progress("rendering") as report:
+        picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=report)
     picture.save(output, exposure) if output.suffix.lower() == ".png" else picture.save(output)
     facts = facts_of(output, land, picture) | {"notes": [*land.notes, *laid, *scene.notes]}
-    show(facts, {name: text_of(value) for name, value in facts.items()}, as_json)
-
-
-def refuse_picture(path: Path, exposure: float | None) -> None:
-    """ValueError or OSError, before the work, for a picture that could not be written in the end."""
-    if exposure is not None and not 0 < exposure < float("inf"):
-        raise ValueError(f"--exposure must be finite and more than 0, got {exposure:g}")
-    if path.suffix.lower() not in (".png", ".exr"):
-        raise ValueError(f"a terrain picture must end in .png or .exr, got {path.name!r}")
-    if not path.absolute().parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {path.parent}")
+    show_facts(facts, as_json)
 
 
 def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
@@ -83,23 +74,6 @@ def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
     if (width, height) != (wide, high):
         raise ValueError(f"--size must be two whole numbers such as 1000,750, got {size!r}")
     return Camera(azimuth * deg, elevation * deg, fov * deg, width, height, east, north, above)
-
-
-def rows_done() -> Any:
-    """A progress bar on stderr that is called with (rows done, rows)."""
-    from contextlib import contextmanager
-
-    from rich.console import Console
-    from rich.progress import Progress
-
-    @contextmanager
-    def bar() -> Any:
-        console = Console(stderr=True)
-        with Progress(console=console, disable=not console.is_terminal) as progress:
-            task = progress.add_task("rendering", total=None)
-            yield lambda done, rows: progress.update(task, completed=done, total=rows)
-
-    return bar()
 
 
 def facts_of(path: Path, land: Any, picture: Any) -> dict[str, Any]:
@@ -117,10 +91,3 @@ def facts_of(path: Path, land: Any, picture: Any) -> dict[str, Any]:
         "farthest_m": float(seen.max()) if seen.size else None,
         "exposure": picture.exposure(),
     }
-
-
-def text_of(value: Any) -> str:
-    """A fact for people."""
-    if isinstance(value, list):
-        return "; ".join(str(item) for item in value) if value and isinstance(value[0], str) else str(value)
-    return f"{value:.6g}" if isinstance(value, float) else str(value)

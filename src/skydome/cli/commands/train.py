@@ -1,16 +1,15 @@
 """`skydome train`: a small neural network that learns a sky model."""
 
-import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
+from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson
-from skydome.cli.printing import show
+from skydome.cli.printing import show_facts
 
 if TYPE_CHECKING:
     from skydome.training.lessons import Teacher
@@ -42,18 +41,9 @@ def train(
     from skydome.training.recipes import recipe_named
 
     teacher, way = teacher_named("hosek-wilkie-spectral" if recipe == "spectral" else model), recipe_named(recipe)
-    require_network_name(output)
+    require_output(output, "the network's file", (".safetensors",))
     facts = trained(output, teacher, way, {"model": teacher.name, "recipe": recipe, "seed": seed}, resume)
-    show(facts, {name: f"{value:.4g}" if isinstance(value, float) else str(value) for name, value in facts.items()},
-         as_json)  # fmt: skip
-
-
-def require_network_name(path: Path) -> None:
-    """ValueError or OSError in one line unless a network file can be written there."""
-    if path.suffix != ".safetensors":
-        raise ValueError(f"the network's file must end in .safetensors, got {path.name}")
-    if not path.parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {path.parent}")
+    show_facts(facts, as_json)
 
 
 def trained(path: Path, teacher: "Teacher", recipe: "Recipe", what: dict[str, Any], resume: bool) -> dict[str, Any]:
@@ -67,8 +57,14 @@ def trained(path: Path, teacher: "Teacher", recipe: "Recipe", what: dict[str, An
     if journal.path.exists() and not resume:
         raise ValueError(f"{journal.path.name} is there from an interrupted training: give --resume, or remove it")
     start = time.process_time()
-    with shown() as progress:
-        network = learn(teacher, recipe, int(what["seed"]), progress, journal)
+    steps = count(1)
+    with progress("training") as report:
+
+        def listen(stage: str, loss: float) -> None:
+            step = next(steps)
+            report(step, None, f"{stage}, step {step}, error {loss:.5f}")
+
+        network = learn(teacher, recipe, int(what["seed"]), listen, journal)
     seconds = time.process_time() - start
     facts = what | {"bytes": network.bytes, "processor_seconds": round(seconds, 1)} | errors_of(network, teacher)
     command = "skydome train --model {model} --recipe {recipe} --seed {seed}".format(**what)
@@ -85,17 +81,3 @@ def errors_of(network: Any, teacher: "Teacher") -> dict[str, float]:
         return {"rms_relative": relative_error(network, teacher)}
     by_zenith = validated_by_zenith(network, teacher).target
     return validated(network, teacher).as_dict() | {"target_of_views_by_zenith": by_zenith}
-
-
-@contextmanager
-def shown() -> Iterator[Callable[[str, float], None]]:
-    """A listener that shows stage, step and loss on stderr; silent where stderr is no terminal."""
-    from rich.console import Console
-    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-    text = TextColumn("{task.description}, step {task.completed}, error {task.fields[loss]:.5f}")
-    with Progress(
-        SpinnerColumn(), text, TimeElapsedColumn(), console=Console(stderr=True), disable=not sys.stderr.isatty()
-    ) as progress:
-        task = progress.add_task("", total=None, loss=float("nan"))
-        yield lambda stage, loss: progress.update(task, description=stage, loss=loss, advance=1)

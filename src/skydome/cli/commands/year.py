@@ -6,8 +6,9 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson, numbers
-from skydome.cli.printing import busy, print_json, print_table
+from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
@@ -41,7 +42,7 @@ def year(
     """Make the skies of a year from a weather file, on patches of the dome."""
     choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
-    check_output(output)
+    require_outputs(output, suns, plot)
     check_extras(output, plot)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
@@ -53,21 +54,18 @@ def year(
             facts = single(weather, choices, output, ascii_text, sun_in_patch, suns, plot)
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
     facts["notes"] = facts.get("notes", []) + notes
-    if as_json:
-        print_json(facts)
-    else:
-        rows = {name: text(value) for name, value in facts.items() if value not in (None, [], {})}
-        print_table(rows)
+    show_facts(facts, as_json)
     if facts.get("failed"):
         raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
 
 
-def check_output(output: Path | None) -> None:
-    """ValueError for another ending, before any work."""
-    if output is not None and output.suffix not in ENDINGS:
-        raise ValueError(f"-o must end in {', '.join(ENDINGS)}, got {output.name!r}")
-    if output is not None and not output.absolute().parent.is_dir():
-        raise FileNotFoundError(f"the folder to write to must exist, got {output.absolute().parent}")
+def require_outputs(output: Path | None, suns: Path | None, plot: Path | None) -> None:
+    """ValueError or OSError, before any work, for files that could not be written in the end."""
+    from skydome.figures.skies import FORMATS
+
+    require_output(output, "-o", tuple(ENDINGS))
+    require_output(suns, "--suns", (".rad",))
+    require_output(plot, "a plot's file", FORMATS)
 
 
 def check_extras(output: Path | None, plot: Path | None) -> None:
@@ -110,19 +108,16 @@ def single(
     from skydome.years.stores.stores import write_dataset, write_year
     from skydome.years.weather.reading import read_weather
 
-    with busy("a year of skies", long=True):
+    with progress("a year of skies"):
         weather = read_weather(path)
-        streamed = output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx"
-        plain = {name: choices[name] for name in ("patches", "compat", "smooth")}
-        data = year_of(weather, **(plain if streamed else choices))
-        if output is not None and streamed:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # told by the first pass
-                write_year(weather, output, **choices)
-        elif output is not None and output.suffix == ".mtx":
-            write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
-        elif output is not None:
-            write_dataset(data, output)
+        if output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx":
+            data = write_year(weather, output, **choices)
+        else:
+            data = year_of(weather, **choices)
+            if output is not None and output.suffix == ".mtx":
+                write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
+            elif output is not None:
+                write_dataset(data, output)
         if suns is not None:
             write_suns(data, suns)
         if plot is not None:
@@ -152,9 +147,6 @@ def many(
     choices: dict[str, Any],
 ) -> dict[str, Any]:
     """The years of all sites in one Zarr store, with progress; the facts to print."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from skydome.years.stores.sites import read_sites, run_sites
 
     if output is None or output.suffix != ".zarr":
@@ -162,23 +154,13 @@ def many(
     sites, bad = read_sites(path, folder)
     if not sites:
         raise ValueError(f"{path.name} has no usable site: {'; '.join(bad) or 'it is empty'}")
-    with Progress(console=Console(stderr=True)) as bar:
-        task = bar.add_task("site-years", total=len(sites))
-        told = run_sites(
-            output, sites, scheduler, workers, lambda done, total: bar.update(task, completed=done), **choices
-        )
-    failed = [line for line in told if "warning:" not in line]
+    with progress("site-years") as report:
+        notes = run_sites(output, sites, scheduler, workers, report, **choices)
+    failed = [line for line in notes if "warning:" not in line]
     return {
         "sites": len(sites),
         "done": len(sites) - len(failed),
         "failed": len(failed) + len(bad),
         "files": [str(output)],
-        "notes": bad + told,
+        "notes": bad + notes,
     }
-
-
-def text(value: Any) -> str:
-    """A fact for people."""
-    if isinstance(value, dict):
-        return ", ".join(f"{name} {item:g}" for name, item in value.items())
-    return "\n".join(map(str, value)) if isinstance(value, list) else str(value)

@@ -43,13 +43,17 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str]) -> None:
         data.to_zarr(beside, mode="w-")
 
 
-def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: int = 1 << 25, **choices: Any) -> None:
-    """Write the Dataset of `year(weather, **choices)` to a Zarr store some hours at a time, in bounded memory.
+def write_year(
+    weather: Weather, path: str | os.PathLike[str], values_at_once: int = 1 << 25, **choices: Any
+) -> "xarray.Dataset":
+    """Write the Dataset of `year(weather, **choices)` to a Zarr store some hours at a time; the Dataset in the store.
 
-    About `values_at_once` float32 numbers are held of the largest variable. ValueError for compat="gendaymtx", whose
-    dew points look back.
+    Memory is bounded: about `values_at_once` float32 numbers are held of the largest variable, and the Dataset reads
+    from the store what is asked of it. ValueError for compat="gendaymtx", whose dew points look back.
     """
     required("zarr", "year", "a year as .zarr")
+    import xarray
+
     if choices.get("compat") == "gendaymtx":
         raise ValueError('compat="gendaymtx" is written whole: use year(...) and write_dataset')
     wavelengths = choices.get("wavelengths")
@@ -71,6 +75,7 @@ def write_year(weather: Weather, path: str | os.PathLike[str], values_at_once: i
                 else:
                     moving = [name for name in data.variables if "time" not in data[name].dims]
                     data.drop_vars(moving).to_zarr(beside, append_dim="time")
+    return xarray.open_zarr(path)
 
 
 @contextmanager

@@ -1,24 +1,26 @@
-"""The work of `skydome animate`: read, train, write frames; each step kept, so that it can be interrupted."""
+"""Frames between captures, in files: read, train, write; each step is kept, so that it can be interrupted."""
 
 import hashlib
 import json
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from skydome.ground.writing import appearing
-
-if TYPE_CHECKING:
-    from skydome.captures.captures import Capture
-    from skydome.skies.neural.network import Network
-    from skydome.sun.place import Place
+from skydome.captures.animation import Animation, change, roughest
+from skydome.captures.capture_training import train_captures
+from skydome.captures.captures import MASK, Capture, read_captures
+from skydome.captures.sky_mask import write_mask
+from skydome.ground.writing import appearing, require_place
+from skydome.skies.neural.files import load_network, save_network
+from skydome.skies.neural.network import Network
+from skydome.sun.place import Place
 
 Tell = Callable[[str, float], None]
+"""Is told what is done, and which share of it, 0-1."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class Job:
     output: Path
     frames: int
     layout: str
-    place: "Place | None"
+    place: Place | None
     zone: str | None
     horizon: float
     seed: int
@@ -43,40 +45,28 @@ class Job:
                 parts.append(f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}")
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
+    @property
+    def note(self) -> Path:
+        """The file that says what the frames are of."""
+        return self.output / "animation.json"
+
     def frame_path(self, k: int) -> Path:
         """The file of a frame."""
         return self.output / f"frame_{k:05d}.exr"
 
 
-@contextmanager
-def progress_bar() -> Iterator[Tell]:
-    """A listener that shows stage and share on stderr, where that is a terminal."""
-    from rich.console import Console
-    from rich.progress import Progress
+def run(job: Job, tell: Tell) -> dict[str, Any]:
+    """Write the frames that are not there yet; facts about the animation.
 
-    console = Console(stderr=True)
-    with Progress(console=console, disable=not console.is_terminal, transient=True) as bar:
-        task = bar.add_task("", total=1.0)
-
-        def tell(stage: str, share: float) -> None:
-            bar.update(task, description=stage, completed=min(share, 1.0))
-
-        yield tell
-
-
-def run(job: Job) -> dict[str, Any]:
-    """Write the frames that are not there yet; facts about the animation."""
-    from skydome.captures.animation import Animation
-    from skydome.captures.captures import read_captures
-
-    with progress_bar() as tell:
-        captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)
-        begin(job)
-        start = time.perf_counter()
-        network = trained(job, captures, tell)
-        learned = time.perf_counter()
-        animation = Animation(captures, network)
-        written, roughness = write_frames(job, animation, tell)
+    ValueError or OSError, before any work, for a folder of frames that cannot be made or holds something else.
+    """
+    require_free_folder(job)
+    captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)
+    begin(job)
+    start = time.perf_counter()
+    network = trained(job, captures, tell)
+    learned = time.perf_counter()
+    written, roughness = write_frames(job, Animation(captures, network), tell)
     return {
         "frames": job.frames,
         "written": written,
@@ -91,32 +81,31 @@ def run(job: Job) -> dict[str, Any]:
     }
 
 
-def begin(job: Job) -> None:
-    """Make the folder and note what its frames are; ValueError where it holds frames of something else."""
-    if not job.output.exists():
-        if not job.output.absolute().parent.is_dir():
-            raise FileNotFoundError(f"the folder to write to must exist, got {job.output.parent}")
-        job.output.mkdir()
-    note = job.output / "animation.json"
-    if note.exists():
-        try:
-            known = json.loads(note.read_text()).get("digest")
-        except (json.JSONDecodeError, AttributeError):
-            known = None
-        if known != job.digest():
-            raise ValueError(f"{job.output} holds frames of other captures or settings; choose another folder")
+def require_free_folder(job: Job) -> None:
+    """OSError where the folder cannot be made; ValueError where it holds frames of something else, or other things."""
+    require_place(job.output, folder=True)
+    if not job.output.exists() or not any(job.output.iterdir()):
         return
-    if any(job.output.iterdir()):
+    if not job.note.exists():
         raise ValueError(f"the folder for the frames must be empty or of this animation, got {job.output}")
-    with appearing(note) as beside:
-        beside.write_text(json.dumps({"digest": job.digest(), "frames": job.frames}))
+    try:
+        known = json.loads(job.note.read_text()).get("digest")
+    except (json.JSONDecodeError, AttributeError):
+        known = None
+    if known != job.digest():
+        raise ValueError(f"{job.output} holds frames of other captures or settings; choose another folder")
 
 
-def trained(job: Job, captures: "list[Capture]", tell: Tell) -> "Network":
+def begin(job: Job) -> None:
+    """Make the folder and note what its frames are."""
+    job.output.mkdir(exist_ok=True)
+    if not job.note.exists():
+        with appearing(job.note) as beside:
+            beside.write_text(json.dumps({"digest": job.digest(), "frames": job.frames}))
+
+
+def trained(job: Job, captures: list[Capture], tell: Tell) -> Network:
     """The day's network: read where it was kept, else trained and kept."""
-    from skydome.captures.capture_training import train_captures
-    from skydome.skies.neural.files import load_network, save_network
-
     path = job.output / "day.safetensors"
     if path.exists():
         return load_network(path)[0]
@@ -127,8 +116,6 @@ def trained(job: Job, captures: "list[Capture]", tell: Tell) -> "Network":
 
 def write_frames(job: Job, animation: Any, tell: Tell) -> tuple[int, float | None]:
     """Write what is missing: how many frames that were, and the largest change over the median one of those made."""
-    from skydome.captures.animation import change, roughest
-
     times = np.linspace(animation.times[0], animation.times[-1], job.frames)
     written, changes, before = 0, [], None
     for k, moment in enumerate(times):
@@ -144,13 +131,9 @@ def write_frames(job: Job, animation: Any, tell: Tell) -> tuple[int, float | Non
     return written, round(roughest(changes), 3) if changes else None
 
 
-def write_masks(job: Job) -> dict[str, Any]:
+def write_masks(job: Job, tell: Tell) -> dict[str, Any]:
     """Write a mask beside each capture that has none: white where sky was found."""
-    from skydome.captures.captures import MASK, read_captures
-    from skydome.captures.sky_mask import write_mask
-
-    with progress_bar() as tell:
-        captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)
+    captures = read_captures(job.folder, job.layout, job.place, job.zone, job.horizon, tell)
     written = []
     for capture in captures:
         path = job.folder / (Path(capture.name).stem + MASK)

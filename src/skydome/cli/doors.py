@@ -1,0 +1,117 @@
+"""The doors of every command: which files may be written, and what is shown while one waits."""
+
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from threading import Event, Thread
+from typing import Protocol
+
+PICTURES = (".png", ".exr")
+STORE = ".zarr"
+EVERY = 10.0  # s between lines where stderr is no terminal
+
+
+def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) -> None:
+    """ValueError or OSError, before any work, for a file that could not be written in the end. None: none is asked for.
+
+    >>> require_output(Path("sky.jpg"), "a map's file", (".exr", ".hdr"))
+    Traceback (most recent call last):
+    ValueError: a map's file must end in .exr or .hdr, got 'sky.jpg'
+    """
+    from skydome.ground.writing import require_place
+
+    if path is None:
+        return
+    if endings and path.suffix.lower() not in endings:
+        allowed = " or ".join(filter(None, (", ".join(endings[:-1]), endings[-1])))
+        raise ValueError(f"{what} must end in {allowed}, got {path.name!r}")
+    require_place(path, folder=path.suffix == STORE)
+
+
+def require_picture(path: Path | None, exposure: float | None) -> None:
+    """The same for a picture, which is developed with an exposure, or linear."""
+    if exposure is not None and not 0 < exposure < float("inf"):
+        raise ValueError(f"--exposure must be finite and more than 0, got {exposure:g}")
+    require_output(path, "a picture's file", PICTURES)
+
+
+def require_folder(path: Path | None) -> None:
+    """FileNotFoundError for a folder that is to be written into and is not there. None: none is asked for."""
+    if path is not None and not path.is_dir():
+        raise FileNotFoundError(f"the folder to write to must exist, got {path}")
+
+
+class Report(Protocol):
+    """What work tells of itself: how much is `done`, `of` how much where that is known, and what it is doing."""
+
+    def __call__(self, done: float, of: float | None = None, doing: str = "", /) -> None:
+        """Take the report."""
+
+
+@dataclass
+class Work:
+    """What was told last."""
+
+    doing: str
+    done: float = 0.0
+    of: float | None = None
+    start: float = field(default_factory=time.monotonic)
+
+    @property
+    def line(self) -> str:
+        """The state in a line, for a log."""
+        share = f", {min(self.done / self.of, 1.0):.0%}" if self.of else ""
+        return f"skydome: {self.doing}{share}, {time.monotonic() - self.start:.0f} s"
+
+
+@contextmanager
+def progress(doing: str) -> Iterator[Report]:
+    """A listener whose reports are shown on stderr: a bar on a terminal, which goes in the end, else a line each 10 s.
+
+    Work that never reports is shown too, as a wheel that turns.
+    """
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    work = Work(doing)
+    shown = bar(work, console) if console.is_terminal else lines(work)
+    with shown as show:
+
+        def report(done: float, of: float | None = None, doing: str = "", /) -> None:
+            work.done, work.of, work.doing = done, of, doing or work.doing
+            show()
+
+        yield report
+
+
+@contextmanager
+def bar(work: Work, console: object) -> "Iterator[Callable[[], None]]":
+    """A bar on a terminal, and what redraws it."""
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, console=console, transient=True) as drawn:  # type: ignore[arg-type]
+        task = drawn.add_task(work.doing, total=None)
+        yield lambda: drawn.update(task, description=work.doing, completed=min(work.done, work.of or work.done),
+                                   total=work.of)  # fmt: skip
+
+
+@contextmanager
+def lines(work: Work) -> "Iterator[Callable[[], None]]":
+    """A line on stderr every ten seconds, by a thread of its own, so that work that reports nothing is heard of too."""
+    over = Event()
+
+    def speak() -> None:
+        while not over.wait(EVERY):
+            print(work.line, file=sys.stderr, flush=True)
+
+    speaker = Thread(target=speak, daemon=True)
+    speaker.start()
+    try:
+        yield lambda: None
+    finally:
+        over.set()
+        speaker.join()
