@@ -1,4 +1,4 @@
-"""Directions and the three formulas of spherical distance (seed 000, eq. 23-26), against exact small angles."""
+"""Directions and the three formulas of spherical distance, against exact small angles."""
 
 import math
 

@@ -105,7 +105,7 @@ def test_cie_values_of_colour_science():
 
 
 def literal_preetham(turbidity, sun_zenith, view_zenith, angle):
-    """Preetham 1999, A.2, line by line (seed 000, eq. 10-19): Y in cd m-2, x, y."""
+    """Preetham 1999, A.2, line by line: Y in cd m-2, x, y."""
     T = turbidity
     ts = sun_zenith
 

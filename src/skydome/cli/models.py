@@ -1,9 +1,8 @@
 """From the options to a sky of the catalogue: which of them are its parameters, its level, what is said of choices."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from skydome.cli.doors import progress
 from skydome.cli.options import SkyOptions, numbers, option_name, relative_error, set_by_name
 
 if TYPE_CHECKING:
@@ -63,8 +62,12 @@ def build(model: "Model", sun: Any, options: SkyOptions) -> "tuple[Sky, list[str
     if model.level_name:
         level, more = level_of(model, sun, options)
         given, notes = given | level, notes + more
-    with progress() as report:
-        return model.make(sun, given, options.check, report), notes  # type: ignore[arg-type]
+    with progress("making the sky") as report:
+
+        def traced(done: float, error: float) -> None:
+            report(done, 1.0, f"path tracing, error {error:.2%}")
+
+        return model.make(sun, given, options.check, traced), notes  # type: ignore[arg-type]
 
 
 def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, float], list[str]]:
@@ -104,23 +107,3 @@ def letters(model: str, text: str | None) -> tuple[float, ...]:
     if text is None:
         raise ValueError(f"{model} needs --letters A,B,C,D,E such as -1,-0.32,10,-3,0.45")
     return numbers(text, 5, "--letters", "-1,-0.32,10,-3,0.45")
-
-
-@contextmanager
-def progress() -> Iterator[Callable[[float, float], None] | None]:
-    """What a tracing reports to: a bar on stderr from its first report on; None where stderr is no terminal."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        yield None
-        return
-    columns = TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("path tracing", total=1.0, visible=False)
-
-        def report(done: float, error: float) -> None:
-            bar.update(task, completed=done, visible=True, description=f"path tracing, error {error:.2%}")
-
-        yield report

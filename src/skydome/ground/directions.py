@@ -62,7 +62,7 @@ def elevation(directions: Array) -> Array:
 
 
 def zenith_angle(directions: Array) -> Array:
-    """Angle from the zenith, radians in [0, pi], shape (...,) (seed 000, eq. 23)."""
+    """Angle from the zenith, radians in [0, pi], shape (...,)."""
     xp = namespace(directions)
     v = floating(directions)
     return xp.atan2(safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2), v[..., 2])
@@ -90,7 +90,7 @@ def angle_between(a: Array, b: Array) -> Array:
 
 
 def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
-    """Spherical distance by the cosine law, radians (seed 000, eq. 24): loses half the digits below 1e-7 rad."""
+    """Spherical distance by the spherical law of cosines, radians: loses half the digits below 1e-7 rad."""
     xp = namespace(elevation_a, elevation_b, azimuth_difference)
     cosine = xp.sin(elevation_a) * xp.sin(elevation_b)
     cosine = cosine + xp.cos(elevation_a) * xp.cos(elevation_b) * xp.cos(azimuth_difference)
@@ -98,7 +98,7 @@ def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference
 
 
 def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
-    """Spherical distance by the haversine formula, radians (seed 000, eq. 25): exact for small angles."""
+    """Spherical distance by the haversine formula, radians (its bracket: docs/errata.md): exact for small angles."""
     xp = namespace(elevation_a, elevation_b, azimuth_difference)
 
     def hav(x: Array) -> Array:
@@ -110,7 +110,7 @@ def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_differe
 
 
 def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
-    """Spherical distance by Vincenty's formula, radians (seed 000, eq. 26): exact everywhere."""
+    """Spherical distance by Vincenty's formula, radians (Vincenty 1975, on a sphere): exact everywhere."""
     xp = namespace(elevation_a, elevation_b, azimuth_difference)
     sin_a, cos_a = xp.sin(elevation_a), xp.cos(elevation_a)
     sin_b, cos_b = xp.sin(elevation_b), xp.cos(elevation_b)

@@ -29,7 +29,7 @@ IEC_XYZ_TO_SRGB = np.array(
         [+0.0557101, -0.2040211, +1.0569959],
     ]
 )
-"""The printed XYZ to linear sRGB matrix of seed 000, eq. 28 (IEC 61966-2-1, amendment 1); see `SRGB`."""
+"""The printed XYZ to linear sRGB matrix of IEC 61966-2-1, amendment 1; see `SRGB`."""
 
 
 def xyz_of_white(white: Chromaticity) -> np.ndarray:
@@ -120,7 +120,7 @@ RADIANCE = RGBSpace("Radiance", (0.640, 0.330), (0.290, 0.600), (0.150, 0.060), 
 
 
 def xyz_from_xyY(xyY: Array) -> Array:
-    """XYZ (..., 3) of CIE x, y, Y (..., 3) (seed 000, eq. 27); black where y = 0, which no light has.
+    """XYZ (..., 3) of CIE x, y, Y (..., 3) (CIE 15); black where y = 0, which no light has.
 
     >>> xyz_from_xyY([0.25, 0.5, 10.0]).tolist()
     [5.0, 10.0, 5.0]
@@ -133,7 +133,7 @@ def xyz_from_xyY(xyY: Array) -> Array:
 
 
 def xyY_from_xyz(xyz: Array) -> Array:
-    """CIE x, y, Y (..., 3) of XYZ (..., 3) (inverse of seed 000, eq. 27); black has the chromaticity of D65.
+    """CIE x, y, Y (..., 3) of XYZ (..., 3) (CIE 15); black has the chromaticity of D65.
 
     >>> xyY_from_xyz([[5.0, 10.0, 5.0], [0.0, 0.0, 0.0]]).tolist()
     [[0.25, 0.5, 10.0], [0.3127, 0.329, 0.0]]
@@ -168,7 +168,7 @@ def xyz_from_rgb(rgb: ArrayLike, space: RGBSpace = SRGB) -> Array:
 
 
 def encode_srgb(linear: Array) -> Array:
-    """Encoded sRGB values R' of linear ones, same shape (seed 000, eq. 29); f(-R) = -f(R), and nothing is clipped.
+    """Encoded sRGB values R' of linear ones, same shape (IEC 61966-2-1); f(-R) = -f(R), and nothing is clipped.
 
     >>> encode_srgb([-1.0, 0.0, 0.001, 0.5, 1.0]).round(6).tolist()
     [-1.0, 0.0, 0.01292, 0.735357, 1.0]
@@ -182,7 +182,7 @@ def encode_srgb(linear: Array) -> Array:
 
 
 def decode_srgb(encoded: Array) -> Array:
-    """Linear values of sRGB ones, same shape: the inverse of `encode_srgb` (seed 000, eq. 29), odd as well.
+    """Linear values of sRGB ones, same shape: the inverse of `encode_srgb` (IEC 61966-2-1), odd as well.
 
     The branches part at 12.92 x 0.0031308, the image of eq. 29's own limit (IEC prints 0.04045). Eq. 29 steps down by
     2.4e-8 there, so that a linear value just above its limit comes back 2e-9 low; all others come back exactly.

@@ -13,7 +13,7 @@ from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height
 class Equirectangular(Projection):
     """The latitude-longitude map, twice as wide as high: row 0 touches the zenith, the last row the nadir.
 
-    Texel centres u = (i + .5) / W, v = (j + .5) / H (seed 000, eq. 20-21, the sky's half of them), azimuth =
+    Texel centres u = (i + .5) / W, v = (j + .5) / H (the upper half is the sky's), azimuth =
     azimuth_left + 2 pi u clockwise from north: seen from inside. `mirrored` runs the other way (seen from outside).
 
     >>> north_left = Equirectangular()

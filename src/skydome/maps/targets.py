@@ -42,7 +42,7 @@ WEST_LEFT = Equirectangular(azimuth_left=1.5 * math.pi)
 SKY_DISC = "the sky looking up, equidistant: north at the top, east at the left"
 
 TARGETS: tuple[Target, ...] = (
-    Target("native", NORTH_LEFT, Z_UP, "z up; north at the left edge, south at the centre", "seed 000, eq. 20-21"),
+    Target("native", NORTH_LEFT, Z_UP, "z up; north at the left edge, south at the centre", "this library"),
     Target("blender", WEST_LEFT, Z_UP, "z up; east (+X) at the centre", "Blender, camera/projection.h"),
     Target("mitsuba", NORTH_LEFT, Y_UP, "y up; south (+Z) at the centre", "Mitsuba 3, envmap.cpp"),
     Target("openexr", NORTH_LEFT, Y_UP, "y up; south (+Z) at the centre; texel centres", "OpenEXR, ImfEnvmap.h"),

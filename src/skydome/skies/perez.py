@@ -1,4 +1,4 @@
-"""The Perez sky from five letters (Perez, Seals and Michalsky 1993; seed 000, eq. 1)."""
+"""The Perez sky from five letters (Perez, Seals and Michalsky 1993)."""
 
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
@@ -15,7 +15,7 @@ class Perez(LuminanceFormulaSky):
     """Luminance (1 + a exp(b / cos t)) (1 + c exp(d g) + e cos^2 g), scaled to a level.
 
     a darkens or brightens the horizon, b < 0 its gradient, c the circumsolar region, d its width, e the backscatter.
-    Level: zenith_luminance, cd m-2 (seed 000, eq. 8), or illuminance (diffuse, horizontal), lx (eq. 9). The letters
+    Level: zenith_luminance, cd m-2, or illuminance (diffuse, horizontal), lx (Perez et al. 1993). The letters
     broadcast with the sun's leading axes. Where the formula falls below 0 the sky is black.
 
     >>> import skydome as sd
@@ -32,7 +32,7 @@ class Perez(LuminanceFormulaSky):
     e: Any
     zenith_luminance: Any = field(default=None, kw_only=True)
     illuminance: Any = field(default=None, kw_only=True)
-    ranges: ClassVar = {"b": Range(-float("inf"), 0.0)}  # seed 000, eq. 2
+    ranges: ClassVar = {"b": Range(-float("inf"), 0.0)}  # else exp(b / cos t) has no bound at the horizon
     source: ClassVar[str] = "Perez, Seals and Michalsky 1993"
 
     def __post_init__(self) -> None:

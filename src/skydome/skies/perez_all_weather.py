@@ -1,7 +1,7 @@
 """Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution.
 
 deviation from the paper | here | why
-b may come out positive | held at 0 | exp(b / cos t) has no bound at the horizon; seed 000, eq. 2 asks b < 0
+b may come out positive | held at 0 | exp(b / cos t) has no bound at the horizon unless b < 0
 negative luminance | 0, and the level is set after that | a sky has no negative light
 sun within 3 degrees of the zenith | as it is in "paper"; at 87 degrees in "gendaylit" | gendaylit lowers the sun
 """

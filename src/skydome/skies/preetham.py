@@ -1,7 +1,7 @@
 """Preetham, Shirley and Smits's clear sky (1999): Perez's formula for luminance Y and chromaticities x and y.
 
 deviation from the paper | here | why
-eq. 12 divides x by one F | x and y each by F(0, ts) of their own letters | the text of section 3.2; seed 000 eq. 12
+one symbol F divides both x and y | x and y each by F(0, ts) of their own letters | the text of section 3.2
 no limits given | turbidity 2-6 | those were fitted (section 3.2); below about 2 and for very low suns it goes wild
 """
 
@@ -23,18 +23,18 @@ from skydome.skies.formula.quantity import Quantity
 from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range
 
-# Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2; seed 000, eq. 13-15).
+# Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2).
 LETTERS_Y = ((0.1787, -1.4630), (-0.3554, 0.4275), (-0.0227, 5.3251), (0.1206, -2.5771), (-0.0670, 0.3703))
 LETTERS_x = ((-0.0193, -0.2592), (-0.0665, 0.0008), (-0.0004, 0.2125), (-0.0641, -0.8989), (-0.0033, 0.0452))
 LETTERS_y = ((-0.0167, -0.2608), (-0.0950, 0.0092), (-0.0079, 0.2102), (-0.0441, -1.6537), (-0.0109, 0.0529))
-# Rows T^2, T, 1; columns ts^3, ts^2, ts, 1 (A.2; seed 000, eq. 18-19).
+# Rows T^2, T, 1; columns ts^3, ts^2, ts, 1 (A.2).
 ZENITH_x = ((0.0017, -0.0037, 0.0021, 0.000), (-0.0290, 0.0638, -0.0320, 0.0039), (0.1169, -0.2120, 0.0605, 0.2589))
 ZENITH_y = ((0.0028, -0.0061, 0.0032, 0.000), (-0.0421, 0.0897, -0.0415, 0.0052), (0.1535, -0.2676, 0.0667, 0.2669))
 
 
-# Slope and constant in T of what multiplies tan chi, and of what is added, kcd m-2 (A.2; seed 000, eq. 16).
+# Slope and constant in T of what multiplies tan chi, and of what is added, kcd m-2 (A.2).
 ZENITH_Y = (4.0453, -4.9710, -0.2155, 2.4192)
-CHI = (-1 / 120, 4 / 9)  # slope in T and constant of chi over the sun's elevation times 2 (seed 000, eq. 17)
+CHI = (-1 / 120, 4 / 9)  # slope in T and constant of chi over the sun's elevation times 2 (A.2)
 
 
 @dataclass(frozen=True)
@@ -80,14 +80,14 @@ PUBLISHED = PreethamNumbers(LETTERS_Y, LETTERS_x, LETTERS_y, ZENITH_Y, ZENITH_x,
 
 
 def zenith_chi(turbidity: Array, sun_zenith: Array, chi: tuple[float, ...] = CHI) -> Array:
-    """The angle chi of the zenith's luminance, rad, shape (...,) (A.2; seed 000, eq. 17)."""
+    """The angle chi of the zenith's luminance, rad, shape (...,) (A.2)."""
     return (chi[0] * turbidity + chi[1]) * (np.pi - 2 * sun_zenith)
 
 
 def zenith_luminance(
     turbidity: Array, sun_zenith: Array, numbers: tuple[float, ...] = ZENITH_Y, chi: tuple[float, ...] = CHI
 ) -> Array:
-    """Luminance at the zenith, cd m-2, shape (...,) (A.2, printed in kcd m-2; seed 000, eq. 16-17)."""
+    """Luminance at the zenith, cd m-2, shape (...,) (A.2, printed in kcd m-2)."""
     xp = namespace(turbidity, sun_zenith)
     a, b, c, d = numbers
     return 1000 * ((a * turbidity + b) * xp.tan(zenith_chi(turbidity, sun_zenith, chi)) + c * turbidity + d)

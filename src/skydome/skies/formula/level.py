@@ -32,8 +32,8 @@ def levelled(
 ) -> Array:
     """Relative coefficients (..., 1, 10) with R set so that the sky has the level asked for.
 
-    By zenith luminance: L = Lz f / f(zenith) (seed 000, eq. 8). By diffuse horizontal illuminance:
-    L = E f / integral(f cos t) (eq. 9). A sky that is black everywhere keeps R = 0.
+    By zenith luminance: L = Lz f / f(zenith) (Perez et al. 1993). By diffuse horizontal illuminance:
+    L = E f / integral(f cos t). A sky that is black everywhere keeps R = 0.
     """
     xp = namespace(coefficients, sun)
     sun_zenith = at_least(zenith_angle(sun), 0.0)

@@ -86,7 +86,7 @@ def view_geometry(directions: Array, sun: Array) -> tuple[Array, Array]:
 def horizontal_integral(
     coefficients: Array, sun_zenith: Array, offset: float = 0.0, floor: float = COSINE_FLOOR, nodes: int = 24
 ) -> Array:
-    """Integral of the sky's light times cos t over the hemisphere, shape (..., channels): seed 000 eq. 9's denominator.
+    """Integral of the sky's light times cos t over the hemisphere, shape (..., channels).
 
     `coefficients` (..., channels, 10), `sun_zenith` (...,) radians. Good to 1e-4 for every CIE type and the Perez table
     (tested against a dense rule). Skies that the formula makes partly negative are cut off at 0; the edge of the cut
