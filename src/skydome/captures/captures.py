@@ -25,7 +25,7 @@ from skydome.maps.projection import Projection
 from skydome.skies.captured import CapturedSky, without_sun
 from skydome.sun.place import Place
 from skydome.sun.position import sun_direction
-from skydome.sun.times import instants
+from skydome.sun.times import Times, instants
 
 LAYOUTS: dict[str, Projection] = {
     "latlong": Equirectangular(),
@@ -70,7 +70,7 @@ class Capture:
         name: str = "capture",
         sun: ArrayLike | None = None,
         sky: np.ndarray | None = None,
-        time: Any = None,
+        time: Times | None = None,
         horizon: float = 0.0,
     ) -> "Capture":
         """A capture of a map in any layout: its sun is found where none is given, its sky segmented likewise.
@@ -217,7 +217,7 @@ def time_in_name(stem: str, zone: str | None) -> Any:
     return instants(f"{year}-{month}-{day}T{hour}:{minute}:{second or '00'}{offset or ''}", zone)[()]
 
 
-def computed_sun(picture: EnvironmentMap, place: Place | None, time: Any) -> np.ndarray | None:
+def computed_sun(picture: EnvironmentMap, place: Place | None, time: Times | None) -> np.ndarray | None:
     """The sun by place and time, None where one is not known."""
     notes = picture.metadata
     if place is None and "latitude" in notes and "longitude" in notes:

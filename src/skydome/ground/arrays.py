@@ -18,7 +18,11 @@ HELD_BY_NUMPY = (np.ndarray, *WITHOUT_DTYPE)
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 Array = Any
-"""Any array of the array API (numpy, torch, jax); shapes are stated in docstrings."""
+"""A floating array of NumPy, PyTorch or JAX, in the library of what it was made from; docstrings say its shape.
+
+`Any` to type checkers on purpose, so that it may be taken for an array of one's own library (docs/decisions.md).
+What is converted on arrival, and may be a number or a list too, is `numpy.typing.ArrayLike`.
+"""
 
 
 def is_numpy(value: Any) -> bool:

@@ -89,7 +89,7 @@ def light_unit(space: RGBSpace, white_luminance: float = 1.0) -> dict[str, Any]:
     return {"chromaticities": space.chromaticities, "whiteLuminance": white_luminance}
 
 
-def time_attributes(time: Any) -> dict[str, Any]:
+def time_attributes(time: str | datetime | np.datetime64 | None) -> dict[str, Any]:
     """OpenEXR's capDate (local) and utcOffset (seconds, UTC = local + utcOffset) of a timezone-aware time.
 
     `time` is a datetime, an ISO string with offset, or a numpy datetime64 (UTC); ValueError where it is naive.

@@ -6,6 +6,7 @@ from datetime import UTC, date, datetime, tzinfo
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.units import deg
 from skydome.sun.place import Place
@@ -86,7 +87,7 @@ def sun_events(place: Place, day: date | str | np.datetime64, zone: str | tzinfo
     return SunEvents(noon=noon, noon_elevation=float(elevation(np.zeros(()))), **times)
 
 
-def _calendar_date(day: Any) -> date:
+def _calendar_date(day: date | str | np.datetime64) -> date:
     """A date from a date, a datetime (its own date), an ISO string or a datetime64; ValueError for others."""
     if isinstance(day, datetime):
         return day.date()
@@ -106,7 +107,7 @@ def _day_bounds(place: Place, day: date, zone: str | tzinfo | None) -> tuple[np.
     return _later(local_midnight(day, clock), -ahead), _later(local_midnight(following, clock), -ahead)
 
 
-def _later(instant: np.datetime64, seconds: Any) -> Any:
+def _later(instant: np.datetime64, seconds: ArrayLike) -> Any:
     """The instant(s) `seconds` after one, datetime64[us], in the shape of `seconds`."""
     return instant + np.rint(np.asarray(seconds) * 1e6).astype("timedelta64[us]")
 

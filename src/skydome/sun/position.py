@@ -1,7 +1,5 @@
 """Where the sun stands over a place: from the earth's centre to the place, and lifted by the air."""
 
-from typing import Any
-
 import numpy as np
 
 from skydome.ground.directions import azimuth, direction, elevation
@@ -9,7 +7,7 @@ from skydome.ground.units import deg
 from skydome.sun.geocentric import distances, earth_fixed
 from skydome.sun.place import Place
 from skydome.sun.refraction import lift, standard_pressure
-from skydome.sun.times import instants
+from skydome.sun.times import Times, instants
 
 YEARS = (-1999, 3000)
 """Years for which the difference between terrestrial and universal time is known or foreseen (Espenak and Meeus)."""
@@ -25,7 +23,7 @@ SOLAR_RADIUS_AT_1_AU = 959.63 / 3600 * deg
 
 
 def sun_direction(
-    place: Place, time: Any, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
+    place: Place, time: Times, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
 ) -> np.ndarray:
     """Unit vectors toward the centre of the sun's disc, shape (..., 3) for times (...,); float64.
 
@@ -49,7 +47,7 @@ def sun_direction(
 
 
 def sun_angles(
-    place: Place, time: Any, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
+    place: Place, time: Times, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
 ) -> tuple[np.ndarray, np.ndarray]:
     """Azimuth (clockwise from north, [0, 2 pi)) and elevation of the sun, radians, each (...,); see `sun_direction`.
 
@@ -89,7 +87,7 @@ def _as_seen(toward: np.ndarray, pressure: float, temperature: float) -> np.ndar
     return seen
 
 
-def earth_sun_distance(time: Any) -> np.ndarray:
+def earth_sun_distance(time: Times) -> np.ndarray:
     """Distance between the centres of the earth and the sun, AU, shape (...,), by VSOP87.
 
     >>> earth_sun_distance(["2026-01-03T17:00Z", "2026-07-06T17:00Z"]).round(4).tolist()
@@ -99,7 +97,7 @@ def earth_sun_distance(time: Any) -> np.ndarray:
     return distances(checked_years(utc).ravel()).reshape(utc.shape)
 
 
-def solar_radius(time: Any) -> np.ndarray:
+def solar_radius(time: Times) -> np.ndarray:
     """Angular radius of the sun's disc seen from the earth, radians, shape (...,): 959.63 arcsec at 1 AU.
 
     >>> (solar_radius("2026-01-03T17:00Z") / deg).round(4).tolist()

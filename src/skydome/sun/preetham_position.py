@@ -1,16 +1,14 @@
 """Where the sun stands by Preetham 1999, appendix A.6: short, and good to about a degree."""
 
-from typing import Any
-
 import numpy as np
 
 from skydome.ground.directions import direction
 from skydome.ground.units import deg
 from skydome.sun.place import Place
-from skydome.sun.times import instants
+from skydome.sun.times import Times, instants
 
 
-def preetham_sun_direction(place: Place, time: Any) -> np.ndarray:
+def preetham_sun_direction(place: Place, time: Times) -> np.ndarray:
     """Unit vectors toward the sun, shape (..., 3) for times (...,), without refraction; use `sun_direction` instead.
 
     For comparison with the paper and with programs that follow it: the largest difference from SPA is

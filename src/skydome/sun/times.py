@@ -1,12 +1,17 @@
 """Instants: every way to write a time, as UTC; a time without a zone is refused."""
 
 import re
+from collections.abc import Sequence
 from datetime import UTC, date, datetime, tzinfo
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, TypeAlias
 from zoneinfo import ZoneInfo, available_timezones
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+Times: TypeAlias = datetime | Sequence[datetime] | ArrayLike
+"""One time or many: aware datetimes, ISO 8601 strings with a zone, datetime64 (UTC), pandas timestamps and indexes."""
 
 LEAP_SECOND = re.compile(r"[T ]\d{2}:?\d{2}:?60")
 BRACKETS = re.compile(r"(?P<local>[^\[\]]+)\[(?P<zone>[^\[\]]+)\]")
@@ -15,7 +20,7 @@ REPAIR = (
 )
 
 
-def instants(time: Any, zone: str | tzinfo | None = None) -> np.ndarray:
+def instants(time: Times, zone: str | tzinfo | None = None) -> np.ndarray:
     """`time` as UTC, numpy datetime64[us], in the shape of `time` (a single time: shape ()).
 
     Accepts timezone-aware datetimes, pandas timestamps and indexes, ISO 8601 strings with an offset, Z or a zone in
@@ -47,7 +52,7 @@ def instants(time: Any, zone: str | tzinfo | None = None) -> np.ndarray:
     return flat.reshape(array.shape)
 
 
-def utc_offset_seconds(time: Any, zone: str | tzinfo | None = None) -> float:
+def utc_offset_seconds(time: str | datetime | np.datetime64, zone: str | tzinfo | None = None) -> float:
     """Seconds to add to local time to get UTC, as OpenEXR's `utcOffset` has it: -7200 for a time written +02:00.
 
     `time` is a single one; its own offset counts, or that of `zone` at that instant where `zone` is given.
@@ -56,13 +61,11 @@ def utc_offset_seconds(time: Any, zone: str | tzinfo | None = None) -> float:
     >>> utc_offset_seconds("2026-06-21T15:00+02:00"), utc_offset_seconds("2026-06-21T13:00Z", zone="Europe/Rome")
     (-7200.0, -7200.0)
     """
-    if zone is None and not isinstance(time, str | datetime):
-        zone = UTC
-    if zone is None:
+    if zone is None and isinstance(time, str | datetime):
         offset = _aware(time, None).utcoffset()
     else:
         utc: datetime = instants(time, zone).item()
-        offset = utc.replace(tzinfo=UTC).astimezone(as_zone(zone)).utcoffset()
+        offset = utc.replace(tzinfo=UTC).astimezone(as_zone(zone or UTC)).utcoffset()
     return -offset.total_seconds() if offset else 0.0
 
 
