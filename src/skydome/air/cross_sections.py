@@ -23,8 +23,8 @@ def king_factor(wavelengths: ArrayLike) -> Array:
     x = (1000 / checked_wavelengths(wavelengths)) ** 2
     nitrogen = 1.034 + 3.17e-4 * x
     oxygen = 1.096 + 1.385e-3 * x + 1.448e-4 * x * x
-    mixed: np.ndarray = (78.084 * nitrogen + 20.946 * oxygen + 0.934 + 0.036 * 1.15) / 100.0
-    return mixed
+    of_air: np.ndarray = (78.084 * nitrogen + 20.946 * oxygen + 0.934 + 0.036 * 1.15) / 100.0
+    return of_air
 
 
 def depolarisation(wavelengths: ArrayLike) -> Array:

@@ -19,8 +19,9 @@ from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum, checked_wavelengths, interpolated, xyz_weights
 from skydome.sun.day import is_day
+from skydome.sun.position import SOLAR_RADIUS_AT_1_AU
 
-SOLID_ANGLE = float(np.pi * np.sin(np.radians(959.63 / 3600)) ** 2)
+SOLID_ANGLE = float(np.pi * np.sin(SOLAR_RADIUS_AT_1_AU) ** 2)
 """Projected solid angle of the sun's disc at 1 AU, sr: 6.8e-5."""
 
 BANDS = np.arange(380.0, 781.0, 10.0)

@@ -105,9 +105,9 @@ def models(distance: float = 1.0) -> dict[str, EvaluatedModel]:
 
     The physical ones have the sun at a `distance`, AU.
     """
-    told = [model for model in CATALOGUE if model.failures and issubclass(model.kind, SpectralSky)]
+    evaluated = [model for model in CATALOGUE if model.failures and issubclass(model.kind, SpectralSky)]
     listed = (
-        *(of_air(model, distance) if isinstance(model, AirModel) else of_numbers(model) for model in told),
+        *(of_air(model, distance) if isinstance(model, AirModel) else of_numbers(model) for model in evaluated),
         EvaluatedModel(
             "two-lobe-air",
             lambda sun, **numbers: DiscreteOrdinates(sun, two_lobe_air(distance=distance, **numbers)),

@@ -23,13 +23,13 @@ class Run:
 
     def row(self) -> dict[str, Any]:
         """Plain figures for a table."""
-        return {"model": self.comparison.name} | self.comparison.figures() | {"numbers": told(self.numbers)}
+        return {"model": self.comparison.name} | self.comparison.figures() | {"numbers": numbers_text(self.numbers)}
 
 
-def told(numbers: Any) -> str:
+def numbers_text(numbers: Any) -> str:
     """Numbers in a line; of a list of them, one for each scan, the least and the most.
 
-    >>> told({"turbidity": 2.5}), told([{"turbidity": 2.5}, {"turbidity": 2.25}])
+    >>> numbers_text({"turbidity": 2.5}), numbers_text([{"turbidity": 2.5}, {"turbidity": 2.25}])
     ('turbidity 2.5', 'turbidity 2.25 to 2.5')
     """
     if isinstance(numbers, list):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.fitting.determination import centred, degenerate_names, errors_by_name, rivalled_names
-from skydome.fitting.samples import Samples, samples_of
+from skydome.fitting.samples import Observations, samples_of
 from skydome.fitting.starting import starts
 from skydome.fitting.unknowns import Problem
 from skydome.ground.extras import required
@@ -63,7 +63,7 @@ class Objective:
     """The differences that are squared and summed: (fitted - observed) x weight, for some of the samples."""
 
     problem: Problem
-    samples: Samples
+    samples: Observations
     chosen: np.ndarray
     about: np.ndarray
     reference: np.ndarray
@@ -87,7 +87,7 @@ class Objective:
         return flat
 
 
-def reference(samples: Samples, chosen: np.ndarray, light: np.ndarray) -> np.ndarray:
+def reference(samples: Observations, chosen: np.ndarray, light: np.ndarray) -> np.ndarray:
     """What differences are divided by: 1 / sqrt(weight), or without weights the light itself, held off 0.
 
     The light is a model's, not the observed: noise must not choose its own weight.
@@ -122,7 +122,7 @@ def solved(objective: Objective, x: np.ndarray, effort: int) -> Any:
 
 
 def refined(
-    problem: Problem, samples: Samples, chosen: np.ndarray, x: np.ndarray, about: np.ndarray, rounds: int
+    problem: Problem, samples: Observations, chosen: np.ndarray, x: np.ndarray, about: np.ndarray, rounds: int
 ) -> tuple[Objective, Any]:
     """The objective and scipy's answer after some rounds, each from the last one's sun, its light as reference."""
     objective = Objective(problem, samples, chosen, about, np.array(1.0))
@@ -145,7 +145,9 @@ def evenly(used: np.ndarray, most: int) -> np.ndarray:
     return index if len(index) <= most else np.sort(np.random.default_rng(0).permutation(index)[:most])
 
 
-def report(problem: Problem, samples: Samples, objective: Objective, answer: Any, rivalled: tuple[str, ...]) -> Fit:
+def report(
+    problem: Problem, samples: Observations, objective: Objective, answer: Any, rivalled: tuple[str, ...]
+) -> Fit:
     """The answer as a `Fit`."""
     x = centred(problem, answer.x)
     values = problem.values(x, objective.about)

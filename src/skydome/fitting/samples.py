@@ -13,7 +13,7 @@ from skydome.skies.sky import ColourSky, Sky
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class Observations:
     """What was seen: directions (N, 3), values (N,) or (N, 3), which of them count (N,), and weights (N,) or None.
 
     `space` is the RGB space of three-channel values, None for XYZ. `shape` is the layout in which residuals go back.
@@ -46,7 +46,7 @@ class Samples:
         return EnvironmentMap(pixels, self.picture.projection, self.picture.space, {}, self.picture.white_luminance)
 
 
-def samples_of(directions: Any, observed: Any, mask: Any, weights: Any, space: RGBSpace | None) -> Samples:
+def samples_of(directions: Any, observed: Any, mask: Any, weights: Any, space: RGBSpace | None) -> Observations:
     """The samples of a map (given as either argument) or of arrays; ValueError where they do not fit together.
 
     Samples on and below the horizon, and where `mask` is False, do not count.
@@ -74,7 +74,7 @@ def samples_of(directions: Any, observed: Any, mask: Any, weights: Any, space: R
     if given is not None and not (np.isfinite(given).all() and (given >= 0).all()):
         raise ValueError("weights must be finite and not negative")
     flat = values.reshape(-1) if values.shape == leading else values.reshape(-1, 3)
-    return Samples(toward.reshape(-1, 3), flat, used.reshape(-1), given, space, shape, picture)
+    return Observations(toward.reshape(-1, 3), flat, used.reshape(-1), given, space, shape, picture)
 
 
 def broadcast(value: Any, shape: tuple[int, ...], name: str, kind: type) -> np.ndarray:

@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 
-from skydome.fitting.samples import Samples
+from skydome.fitting.samples import Observations
 from skydome.fitting.unknowns import LEVELS, Problem
 from skydome.ground.directions import ZENITH, direction
 
@@ -15,7 +15,7 @@ Start = tuple[np.ndarray, np.ndarray]
 """Numbers (p,) and the sun (3,) about which the first two are steps."""
 
 
-def starts(problem: Problem, samples: Samples, chosen: np.ndarray) -> list[Start]:
+def starts(problem: Problem, samples: Observations, chosen: np.ndarray) -> list[Start]:
     """The best few starts, best first: the given values, else the grid's."""
     unknowns = dict(zip(problem.numbers, problem.unknowns, strict=True))
     suns = candidate_suns(problem, samples, chosen)
@@ -54,7 +54,7 @@ def start(problem: Problem, values: dict[str, float], factor: float) -> np.ndarr
     return np.array([numbers[name] for name in problem.numbers])
 
 
-def candidate_suns(problem: Problem, samples: Samples, chosen: np.ndarray) -> list[np.ndarray]:
+def candidate_suns(problem: Problem, samples: Observations, chosen: np.ndarray) -> list[np.ndarray]:
     """Suns to try, each (3,): the given one; else the brightest part's middle and a grid over the upper hemisphere."""
     if "sun" not in problem.free:
         return [np.asarray(problem.fixed.get("sun", ZENITH), dtype=np.float64)]
@@ -73,7 +73,7 @@ def candidate_suns(problem: Problem, samples: Samples, chosen: np.ndarray) -> li
 
 
 def shape_cost(
-    problem: Problem, samples: Samples, chosen: np.ndarray, values: dict[str, float], sun: np.ndarray
+    problem: Problem, samples: Observations, chosen: np.ndarray, values: dict[str, float], sun: np.ndarray
 ) -> tuple[float, float]:
     """Mean squared difference of logarithms, and the factor on the light that makes it least.
 

@@ -165,11 +165,11 @@ def simulate(
     path = Path(path)
     prepared(grid, path)
     missing = [piece for piece in grid.pieces if not is_there(path, piece)]
-    told = progress or (lambda done, of: None)
+    report = progress or (lambda done, of: None)
     if scheduler is None and workers == 0:
         for k, piece in enumerate(missing):
             write_piece(grid, str(path), piece)
-            told(k + 1, len(missing))
+            report(k + 1, len(missing))
         return len(missing)
     from distributed import Client, LocalCluster, as_completed
 
@@ -178,7 +178,7 @@ def simulate(
         jobs = client.map(lambda piece: write_piece(grid, str(path.resolve()), piece), missing, pure=False, retries=3)
         for k, done in enumerate(as_completed(jobs)):
             done.result()
-            told(k + 1, len(missing))
+            report(k + 1, len(missing))
     if cluster is not None:
         cluster.close()
     return len(missing)

@@ -26,12 +26,12 @@ def held_tracing(
     most = MOST_PASSES if paths is None else passes_for(paths, sky.paths_per_pass)
     by_error = until is not None or paths is None
 
-    def told(error: float, passes: int) -> None:
+    def passed(error: float, passes: int) -> None:
         done = (wanted / error) ** 2 if by_error and error > 0 else 0.0
         if report is not None:
             report(max(done, passes / most), error)
 
-    tracing = sky.job(node_directions(sky.sun), BANDS).start().until(wanted, most, told)
+    tracing = sky.job(node_directions(sky.sun), BANDS).start().until(wanted, most, passed)
     return held(sky, BANDS, tracing.radiance)
 
 

@@ -89,9 +89,9 @@ def layered(atmosphere: Atmosphere, wavelengths: np.ndarray, streams: int) -> La
     moments = np.stack([part.phase_law.moments(streams + 1, wavelengths) for part in atmosphere.constituents])
     total, kept = np.maximum(depths.sum(axis=0), 1e-12), scattering.sum(axis=0)
     mix = scattering / np.where(kept > 0, kept, 1.0)
-    mixed = np.einsum("klw,knw->nlw", mix, moments)
-    mixed[0] = 1.0
-    return Layers(atmosphere, wavelengths, total, np.minimum(kept / total, 1 - 1e-9), mix, mixed)
+    expansion = np.einsum("klw,knw->nlw", mix, moments)
+    expansion[0] = 1.0
+    return Layers(atmosphere, wavelengths, total, np.minimum(kept / total, 1 - 1e-9), mix, expansion)
 
 
 def layer_depths(part: object, heights: np.ndarray) -> Array:

@@ -27,9 +27,10 @@ from skydome.light.spectrum import xyz_weights
 from skydome.skies.hosek_wilkie import band_weights, turbidity_weights
 from skydome.skies.sky import Sky, SpectralSky, SunlitSky
 from skydome.skies.validity import Range
+from skydome.sun.position import SOLAR_RADIUS_AT_1_AU
 
-MEAN_RADIUS = float(np.radians(959.63 / 3600))
-"""Angular radius of the sun at 1 AU, rad (IAU 1976: 959.63 seconds of arc)."""
+MEAN_RADIUS = SOLAR_RADIUS_AT_1_AU
+"""Angular radius of the sun where none is given, rad: at 1 AU."""
 
 PUBLISHED_RADIUS = float(np.radians(0.255))
 """Angular radius in the authors' program, rad."""

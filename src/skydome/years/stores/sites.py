@@ -70,8 +70,8 @@ def one_site(
         mark(store, index, FAILED)
         return Outcome(index, f"line {site.row} ({site.name}): {error}")
     write_site(store, index, data, weather.middle)
-    told = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
-    return Outcome(index, f"line {site.row} ({site.name}): warning: {told}" if told else "")
+    warned = "; ".join(str(warning.message) for warning in caught if issubclass(warning.category, UserWarning))
+    return Outcome(index, f"line {site.row} ({site.name}): warning: {warned}" if warned else "")
 
 
 def track_of(weather: Weather, tracks: dict[Any, SunTrack] | None) -> SunTrack:
@@ -103,21 +103,21 @@ def run_sites(
     state = group["state"][:]
     open_work = [(k, site) for k, site in enumerate(sites) if state[k] != DONE]
     batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
-    told: list[str] = []
+    notes: list[str] = []
     done = len(sites) - len(open_work)
     if progress is not None:
         progress(done, len(sites))
     if not batches:
-        return told
+        return notes
     with cluster_client(Client, LocalCluster, scheduler, workers) as client:
         futures = [client.submit(make_sites, str(store), batch, choices, pure=False, retries=3) for batch in batches]
         for future in as_completed(futures):
             outcomes = future.result()
-            told += [outcome.error for outcome in outcomes if outcome.error]
+            notes += [outcome.error for outcome in outcomes if outcome.error]
             done += len(outcomes)
             if progress is not None:
                 progress(done, len(sites))
-    return sorted(told)
+    return sorted(notes)
 
 
 def cluster_client(client: Any, cluster: Any, scheduler: str | None, workers: int) -> Any:
