@@ -201,10 +201,9 @@ def test_action_spectra_for_daylight():
 @pytest.mark.parametrize(
     ("choice", "message"),
     [
-        ({"model": "magic"}, 'model must be "perez"'),
         ({"compat": "gensky"}, "compat must be one of paper, gendaylit, gendaymtx"),
         ({"patches": "klems"}, "patches must be tregenza"),
-        ({"colour": "blue"}, 'colour must be "preetham"'),
+        ({"colour": "blue"}, "colour must be one of hosek-wilkie, preetham, got 'blue'"),
         ({"wavelengths": [400.0, 500.0]}, "wavelengths need a colour"),
     ],
 )

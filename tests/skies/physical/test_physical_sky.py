@@ -121,7 +121,7 @@ def test_twilight_by_name_and_a_map(tmp_path):
     ("arguments", "said"),
     [
         (("--model", "path-traced", "--until", "0"), "--until must be an error in (0, 50%]"),
-        (("--model", "path-traced", "--paths", "3"), "--paths must be 16 or more, got 3"),
+        (("--model", "path-traced", "--paths", "3"), "skydome: paths must be 16 or more, got 3"),
         (("--model", "nishita-1996", "--paths", "30"), "nishita-1996 takes no --paths"),
         (("--model", "discrete-ordinates", "--turbidity", "0.5"), "turbidity must lie in [1, 64], got 0.5"),
         (("--model", "discrete-ordinates", "--albedo", "2"), "albedo must lie in [0, 1], got 2"),
