@@ -12,6 +12,7 @@ from gpu import EFFICACY, TURBIDITY, map_inputs, sky_letters, whole_map
 import skydome as sd
 from skydome.dome.network_rows import paint_network, rgb_network
 from skydome.dome.sky_rows import paint
+from skydome.ground.compiled import shared
 from skydome.skies.formula import fast as fast_light
 from skydome.skies.neural.fast import compiled_kernel, light_by_kernel, light_by_numpy
 from skydome.skies.neural.sky import NeuralSpectralSky
@@ -51,7 +52,7 @@ def ours(width: int) -> dict[str, Run]:
         runs["skydome formula float64, directions"] = lambda: sky.rgb(double)
         runs["skydome Preetham float64, directions"] = lambda: preetham.rgb(double)
     runs["write limit, one thread"] = lambda: out.fill(1.0)
-    runs["write limit, all threads"] = lambda: fast_light.shared(
+    runs["write limit, all threads"] = lambda: shared(
         lambda first, last: flat[first:last].fill(1.0), len(flat), out.size
     )
     return runs
@@ -211,7 +212,7 @@ def years(directions: int) -> dict[str, Run]:
         "skydome luminance_series, coefficients included": lambda: sd.luminance_series(sky, toward, out=out),
         "skydome formula float64": formula,
         "filling the array, one thread": lambda: out.fill(1.0),
-        "filling the array, all threads": lambda: fast_light.shared(
+        "filling the array, all threads": lambda: shared(
             lambda first, last: out[first:last].fill(1.0), hours, out.size
         ),
     }

@@ -5,7 +5,7 @@ import numpy as np
 from skydome.ground.directions import elevation
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
 from skydome.skies.formula.sky_tables import blended, control_weights
-from skydome.skies.hosek_wilkie import HosekWilkieRGB, published, turbidity_weights
+from skydome.skies.hosek_wilkie import TURBIDITIES, HosekWilkieRGB, published
 from skydome.training.lessons import TEACHERS, even_lesson, lesson
 
 OFFSET = HosekWilkieRGB.offset
@@ -30,7 +30,7 @@ def light(table, test):
     shares = np.stack([1 - albedo, albedo], axis=-1)[:, None, :]
     if table.shape[1] == 1:
         shares = np.ones((len(albedo), 1, 1))
-    numbers = blended(table, turbidity_weights(turbidity), shares, control_weights(elevation(test.sun[:, 0])))
+    numbers = blended(table, weights(TURBIDITIES, turbidity), shares, control_weights(elevation(test.sun[:, 0])))
     return evaluate(numbers[:, None], *view_geometry(test.directions, test.sun), offset=OFFSET)
 
 

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import skydome as sd
-from skydome.skies.formula import fast as fast_light
+from skydome.ground import compiled
 from skydome.skies.neural import fast as fast_network
 from skydome.skies.neural.files import shipped_network
 from skydome.skies.neural.network import PUBLISHED, RationalOutput
@@ -95,11 +95,11 @@ def table_2():
 
 def one_thread(function, *given):
     """Least processor milliseconds of a function, without sharing among threads."""
-    workers, fast_light.workers = fast_light.workers, lambda: 1
+    workers, compiled.workers = compiled.workers, lambda: 1
     try:
         return 1e3 * quickest(lambda: function(*given))
     finally:
-        fast_light.workers = workers
+        compiled.workers = workers
 
 
 def sizes():

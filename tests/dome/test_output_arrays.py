@@ -28,10 +28,6 @@ def path(request, monkeypatch):
 def without_numba(monkeypatch):
     monkeypatch.setattr(fast_light, "LEAST_VALUES", 0)
     monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, "skydome.skies.formula.kernel", raising=False)
-    import skydome.skies.formula
-
-    monkeypatch.delattr(skydome.skies.formula, "kernel", raising=False)
 
 
 def test_precision_follows_the_directions_or_out(path):

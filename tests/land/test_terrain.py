@@ -58,6 +58,28 @@ def test_march_finds_the_first_ground_like_brute_force():
     assert hits > 150
 
 
+@pytest.mark.parametrize("elevation", [3.0, 35.0, 80.0])
+@pytest.mark.parametrize("azimuth", [0.0, 90.0, 215.0], ids=["north", "east", "south-west"])
+def test_shadows_soften_alike_across_and_along_the_sun(azimuth, elevation):
+    """Shadow rays go to points even over the disc: variance R^2 / 4 along either tangent, none beyond R."""
+    from skydome.ground.elementary_kernel import stirred
+    from skydome.land.picture import sun_of
+    from skydome.land.picture_kernel import point_on_sun
+
+    sky = sd.Preetham(sd.direction(azimuth * deg, elevation * deg), 3.0)
+    disc = sd.SunDisc.of(sky)
+    sunlight = sun_of(sky + disc)
+    sun, radius = sunlight[0], np.tan(disc.angular_radius)
+    points = np.array([point_on_sun(sunlight, np.uint64(stirred(np.uint64(k)))) for k in range(20_000)])
+    level = sd.direction((azimuth + 90) * deg, 0.0)
+    across, upward, ahead = points @ level, points @ np.cross(sun, level), points @ sun
+    np.testing.assert_allclose(ahead, 1, atol=1e-12)
+    assert np.hypot(across, upward).max() == pytest.approx(radius, rel=1e-3)
+    assert (across**2).mean() == pytest.approx(radius**2 / 4, rel=0.03)
+    assert (upward**2).mean() == pytest.approx(radius**2 / 4, rel=0.03)
+    assert abs((across * upward).mean()) < 0.01 * radius**2
+
+
 def test_flat_ground_is_lit_as_the_sky_says():
     """Radiance = albedo / pi x the horizontal illuminance of sky and sun, by closed form."""
     sky = sunny()

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_sqrt
+from skydome.ground.interpolation import spline, weights
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 
@@ -93,40 +94,17 @@ def wavelength_weights(wavelengths: Any) -> np.ndarray:
     The line from 400 to 450 nm is followed down to 350 nm; beyond 350 and 850 nm the end values are held.
     """
     known = np.array([400.0, 450.0, 550.0, 650.0, 850.0])
-    w = np.clip(np.asarray(wavelengths, dtype=np.float64), 350.0, 850.0)
-    left = np.clip(np.searchsorted(known, w, side="right") - 1, 0, 3)
-    part = (w - known[left]) / (known[left + 1] - known[left])
-    rows = np.eye(5)
-    weights: np.ndarray = (rows[left] * (1 - part)[:, None] + rows[left + 1] * part[:, None]).T
-    return weights
+    held: np.ndarray = weights(known, np.clip(np.asarray(wavelengths, dtype=np.float64), 350.0, 850.0)).T
+    return held
 
 
 @cache
 def eta_spline() -> tuple[np.ndarray, np.ndarray]:
     """Knots in degrees (13,) and the cubics in log eta between them, ascending powers, shape (12, 4, 5).
 
-    A C2 spline with free curvature at 1 degree and slope 0 at 180, where the table's symmetry asks for it.
+    A spline, natural at 1 degree and level at 180, where the table's symmetry asks for it.
     """
     table = columns("preetham_1999_table_1")
     knots = table["theta_deg"]
     values = np.log(np.stack([table[name] for name in ("400", "450", "550", "650", "850")], axis=-1))
-    step = np.diff(knots)[:, None]
-    slope = np.diff(values, axis=0) / step
-    m = second_derivatives(knots, slope)
-    linear = slope - step * (2 * m[:-1] + m[1:]) / 6
-    pieces = np.stack([values[:-1], linear, m[:-1] / 2, np.diff(m, axis=0) / (6 * step)], axis=1)
-    return knots, pieces
-
-
-def second_derivatives(knots: np.ndarray, slope: np.ndarray) -> np.ndarray:
-    """Second derivatives at the knots, (13, 5), of the spline whose chords have `slope` (12, 5)."""
-    step, count = np.diff(knots), knots.size
-    matrix, right = np.zeros((count, count)), np.zeros((count, slope.shape[1]))
-    for k in range(1, count - 1):
-        matrix[k, k - 1 : k + 2] = step[k - 1], 2 * (step[k - 1] + step[k]), step[k]
-        right[k] = 6 * (slope[k] - slope[k - 1])
-    matrix[0, 0] = 1
-    matrix[-1, -2:] = step[-1], 2 * step[-1]
-    right[-1] = -6 * slope[-1]
-    m: np.ndarray = np.linalg.solve(matrix, right)
-    return m
+    return knots, spline(knots, values)

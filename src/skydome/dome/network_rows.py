@@ -10,11 +10,11 @@ import numpy as np
 
 from skydome.dome.sky_rows import columns_from_sun
 from skydome.ground.arrays import as_numpy
+from skydome.ground.compiled import shared
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.light.colour import RGBSpace
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import texel_centre
-from skydome.skies.formula.fast import shared
 from skydome.skies.neural.fast import (
     LEAST_DIRECTIONS,
     compiled_kernel,

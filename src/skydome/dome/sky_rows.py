@@ -11,10 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.ground.compiled import shared
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import texel_centre
-from skydome.skies.formula.fast import Light, prepared, shared, smaller_with
+from skydome.skies.formula.fast import Light, prepared, smaller_with
 from skydome.skies.formula.perez_formula import C, D, I, R, evaluate, gradation
 
 BLOCK = 2048

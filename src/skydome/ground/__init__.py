@@ -4,6 +4,9 @@
 - units       Units as numbers to multiply with: angles are radians, lengths metres, wavelengths nanometres
 - directions  Directions: unit vectors in the frame x east, y north, z up, that point toward the light
 - quadrature  Quadrature over the upper hemisphere: nodes that crowd where skies are steep, weights in steradian
+- compiled    The compiled floor: Numba's decorator with what it falls back to, and jobs shared among threads
+- elementary_kernel  What kernels share: exponentials, the logarithm, random numbers
+- interpolation  Linear weights, Lagrange's and Catmull and Rom's cubics, splines
 - tables      Tables of measured and fitted figures: each a file in `data/` with its source written beside it
 - tone        From scene to screen: exposure, and curves that bring any brightness into 0..1 without turning a hue
 - png         PNG pictures: 8 bit sRGB

@@ -9,6 +9,7 @@ import numpy as np
 from skydome.air.scattering import concentration, gas_total, haze_total
 from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
@@ -193,11 +194,9 @@ class AirLight:
 
     def takes_kernel(self, distance: Array, direction: Array, height: Array) -> bool:
         """True for many RGB rays in NumPy, by the default method, from one height."""
-        from importlib.util import find_spec
-
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
         large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
-        return bool(large and np.shape(distance) == direction.shape[:-1] and find_spec("numba") is not None)
+        return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
 
 
 def checked(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:

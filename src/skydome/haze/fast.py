@@ -7,6 +7,7 @@ import numpy as np
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import as_numpy
+from skydome.ground.compiled import shared
 from skydome.ground.directions import tangent_frame
 from skydome.ground.quadrature import gauss_legendre
 from skydome.haze.integrals import Coefficients
@@ -17,6 +18,9 @@ SIDE = 129
 
 CHORDS = 4097
 """Knots of the sun's scattered light over the half chord to the sun; at most .1 % off, at the sun itself."""
+
+RAYS_PER_PIECE = 1 << 14
+"""That are worth a thread's while."""
 
 
 class FastTables(NamedTuple):
@@ -65,7 +69,8 @@ class FastAir:
         tau, light = np.empty(shape, np.float32), np.empty(shape, np.float32)
         flat = np.ascontiguousarray(distance, dtype=np.float32).reshape(-1)
         views = np.ascontiguousarray(direction, dtype=np.float32).reshape(-1, 3)
-        veil(flat, views, self.densities(height), *self.tables, tau.reshape(-1, 3), light.reshape(-1, 3))
+        given = (flat, views, self.densities(height), *self.tables, tau.reshape(-1, 3), light.reshape(-1, 3))
+        shared(veil, flat.size, flat.size, given, RAYS_PER_PIECE)
         return tau, light
 
 

@@ -1,53 +1,26 @@
-# mypy: disable-error-code="no-untyped-def,untyped-decorator,misc"
+# mypy: allow-untyped-defs
 """Aerial perspective of RGB images in float32: the second form of `FewNodes(8)`, tested against the first.
 
-`air` (8,): haze R G B, gas R G B, haze and gas at 550 nm, m-1. `nodes` (3, 8): q, 1 - q and weights.
+`air` (8,): haze R G B, gas R G B, haze and gas at 550 nm, m-1. `nodes` (3, 8): q, 1 - q and weights. Everything else
+is a float32 number unless its shape is given.
 """
 
 import math
 
-import numba
 import numpy as np
+
+from skydome.ground.compiled import ANY_ORDER, job
+from skydome.ground.compiled import inlined as inlined_with
+from skydome.ground.elementary_kernel import HALF, ONE, ZERO, exponential, logarithm
 
 F = np.float32
 HAZE_DECAY, GAS_DECAY = F(0.8333e-3), F(0.1136e-3)
 OPAQUE, HIGHEST_GROWTH, DEEPEST, LARGEST = F(11.0), F(40.0), F(-80.0), F(3e38)
 SHARE_DECAY, STRENGTH = F(0.8333e-3), F(0.08)
-ZERO, ONE, HALF = F(0.0), F(1.0), F(0.5)
 LANES = 64
 """Rays that are computed side by side."""
 
-OPTIONS = {"fastmath": {"nsz", "arcp", "contract", "afn", "reassoc"}, "cache": True, "error_model": "numpy"}
-compiled, parallel = numba.njit(**OPTIONS), numba.njit(parallel=True, **OPTIONS)
-inlined = numba.njit(forceinline=True, **OPTIONS)
-"""For what stands in a loop over rays or nodes, which is vectorised only if nothing is called."""
-
-
-@inlined
-def exponential(x):
-    """exp(x) in float32, relative error 3e-7, for x up to 87; exp(-87) below. No branch: loops vectorise."""
-    x = max(x, F(-87.0))
-    whole = np.int32(x * F(1.44269504) + F(1000.5)) - np.int32(1000)
-    r = x - F(whole) * F(0.693359375) + F(whole) * F(2.12194440e-4)
-    p = F(1.9875691500e-4)
-    p = p * r + F(1.3981999507e-3)
-    p = p * r + F(8.3334519073e-3)
-    p = p * r + F(4.1665795894e-2)
-    p = p * r + F(1.6666665459e-1)
-    p = p * r + F(5.0000001201e-1)
-    p = p * r * r + r + ONE
-    return p * np.int32((np.int32(whole) + np.int32(127)) << np.int32(23)).view(np.float32)
-
-
-@inlined
-def logarithm(x):
-    """log(x) in float32 for x of 1 and more, error 1e-7: exponent from the bits, the rest by 2 atanh."""
-    bits = np.float32(x).view(np.int32)
-    whole = np.int32((bits - np.int32(0x3F3504F3)) >> np.int32(23))
-    m = np.int32(bits - np.int32(whole << np.int32(23))).view(np.float32)
-    s = (m - ONE) / (m + ONE)
-    q = s * s
-    return F(whole) * F(0.69314718) + s * (F(2.0) + q * (F(2 / 3) + q * (F(2 / 5) + q * (F(2 / 7) + q * F(2 / 9)))))
+compiled, inlined = job(ANY_ORDER | {"afn"}), inlined_with(ANY_ORDER | {"afn"})
 
 
 @inlined
@@ -205,21 +178,21 @@ def many_along(rays, densities, air, nodes):
             rays[(11 + c) * LANES + i] = seen
 
 
-@parallel
-def veil(distance, direction, densities, air, nodes, table, sun, peak, tau, light):
-    """Transmittance and in-scattered light of rays: `distance` (N,), `direction` (N, 3) -> `tau`, `light` (N, 3)."""
-    block = 4096
-    for start in numba.prange((distance.size + block - 1) // block):
-        found, rays = np.empty(6, np.float32), np.zeros(14 * LANES, np.float32)
-        end = min((start + 1) * block, distance.size)
-        for first in range(start * block, end, LANES):
-            count = min(LANES, end - first)
-            for i in range(count):
-                rays[i], rays[LANES + i] = distance[first + i], direction[first + i, 2]
-            many_along(rays, densities, air, nodes)
-            for i in range(count):
-                n = first + i
-                read_light(table, sun, peak, direction[n, 0], direction[n, 1], direction[n, 2], found)
-                for c in range(3):
-                    tau[n, c] = rays[(11 + c) * LANES + i]
-                    light[n, c] = found[c] * rays[(5 + c) * LANES + i] + found[3 + c] * rays[(8 + c) * LANES + i]
+@compiled
+def veil(first, last, distance, direction, densities, air, nodes, table, sun, peak, tau, light):
+    """Transmittance and in-scattered light of the rays first...last: (N,) and (N, 3) -> `tau`, `light` (N, 3).
+
+    `densities` (2,): of haze and gas at the viewer; `table`, `sun`, `peak` as in `read_light`.
+    """
+    found, rays = np.empty(6, np.float32), np.zeros(14 * LANES, np.float32)
+    for start in range(first, last, LANES):
+        count = min(LANES, last - start)
+        for i in range(count):
+            rays[i], rays[LANES + i] = distance[start + i], direction[start + i, 2]
+        many_along(rays, densities, air, nodes)
+        for i in range(count):
+            n = start + i
+            read_light(table, sun, peak, direction[n, 0], direction[n, 1], direction[n, 2], found)
+            for c in range(3):
+                tau[n, c] = rays[(11 + c) * LANES + i]
+                light[n, c] = found[c] * rays[(5 + c) * LANES + i] + found[3 + c] * rays[(8 + c) * LANES + i]

@@ -13,6 +13,7 @@ from skydome.air.phase_functions import haze as haze_phase
 from skydome.air.phase_functions import rayleigh as gas_phase
 from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.directions import azimuth, zenith_angle
+from skydome.ground.interpolation import catmull_rom_about
 from skydome.ground.quadrature import hemisphere
 
 RINGS, COLUMNS = 32, 64
@@ -51,7 +52,7 @@ class Sources:
 
 @dataclass(frozen=True, eq=False)
 class LightTable:
-    """S1 and S2 of the sky on a grid of views (ZENITHS, AZIMUTHS, 2 C), read by cubic interpolation (error .2 %)."""
+    """S1 and S2 of the sky on a grid of views (ZENITHS, AZIMUTHS, 2 C), read by Catmull-Rom cubics (error .2 %)."""
 
     values: np.ndarray
 
@@ -67,8 +68,8 @@ class LightTable:
 
     def toward(self, views: Array) -> tuple[Array, Array]:
         """S1 and S2 of views (..., 3), each (..., C)."""
-        row, rows = cubic(zenith_angle(views) * ((ZENITHS - 1) / np.pi), ZENITHS - 1)
-        column, columns = cubic(azimuth(views) * (AZIMUTHS / (2 * np.pi)), AZIMUTHS)
+        row, rows = catmull_rom_about(ZENITHS - 1, zenith_angle(views) * ((ZENITHS - 1) / np.pi))
+        column, columns = catmull_rom_about(AZIMUTHS, azimuth(views) * (AZIMUTHS / (2 * np.pi)))
         table = constant_or_own(self.values, views)
         total: Array = 0.0
         for i in range(4):
@@ -84,21 +85,6 @@ def over_the_poles(values: np.ndarray) -> np.ndarray:
     """A grid with a row more at either end: beyond a pole lies the other side."""
     other = np.roll(values, AZIMUTHS // 2, axis=1)
     return np.concatenate([other[1:2], values, other[-2:-1]])
-
-
-def cubic(position: Array, count: int) -> tuple[Array, list[Array]]:
-    """Cell (...,) below a position in 0..count, and Catmull and Rom's weights of the four knots about it."""
-    xp = namespace(position)
-    cell = xp.floor(position)
-    cell = xp.where(cell < count - 1, cell, xp.full_like(cell, count - 1))
-    t = position - cell
-    weights = [
-        ((2 - t) * t - 1) * t / 2,
-        ((3 * t - 5) * t * t + 2) / 2,
-        ((4 - 3 * t) * t + 1) * t / 2,
-        (t - 1) * t * t / 2,
-    ]
-    return xp.astype(cell, xp.int32), weights
 
 
 def sky_nodes() -> tuple[np.ndarray, np.ndarray]:

@@ -7,7 +7,8 @@ import numpy as np
 
 from skydome.dome.integrals import discs_and_rest
 from skydome.eye.view import Camera
-from skydome.ground.directions import direction, unit
+from skydome.ground.compiled import shared
+from skydome.ground.directions import direction, tangent_frame, unit
 from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import EARTH_RADIUS
@@ -29,6 +30,7 @@ MOST_LIT = 100_000
 """Vertices whose skylight is computed; between them it is interpolated."""
 
 ROWS_AT_A_TIME = 64
+VERTICES_PER_PIECE = 1 << 10
 HORIZON = 1e-4
 """Sine of the least elevation at which the sky is taken, for pixels that reach below the horizon."""
 
@@ -74,18 +76,17 @@ def render_terrain(
     surface = surface_of(albedo, heights.shape)
     sunlight, rest = sun_of(sky), skylight_of(sky)
     lit = lit_slopes(ground, rest, sunlight, surface[3])
-    kind, fog, densities, tables = air_for(air, z - base)
+    through = air_for(air, z - base)
     height, width = camera.shape
     right, up, forward = camera.axes
     background = background_of(sky, camera)
     half = camera.pixel / 2
     view = (u, v, float(z), forward, right * (half * width), up * (half * height), width, height)
     rgb, depth = np.zeros((height, width, 3), np.float32), np.zeros((height, width))
+    given = (ground, view, samples, seed, background, sunlight, lit, surface, through, rgb, depth)
     for first in range(0, height, ROWS_AT_A_TIME):
         last = min(first + ROWS_AT_A_TIME, height)
-        rows = rgb[first:last], depth[first:last]
-        light = background[first:last], sunlight, lit, surface
-        picture_rows(ground, view, first, samples, seed, *light, kind, fog, densities, tables, *rows)
+        shared(lambda a, b, start=first: picture_rows(start + a, start + b, *given), last - first, last - first, (), 1)
         if progress is not None:
             progress(last, height)
     return TerrainPicture(rgb, depth.astype(np.float32))
@@ -143,14 +144,19 @@ def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, 
     return np.ascontiguousarray(image), float(scale[0]), float(scale[1]), image.mean(axis=(0, 1))
 
 
-def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, float]:
-    """Direction, normal irradiance in RGB, and sine of the radius of the sun's disc in a sky; dark without one."""
+def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Direction to the sun in a sky, two tangents as long as its disc's radius, and normal irradiance in RGB.
+
+    Each (3,); dark without a disc.
+    """
     discs, _ = discs_and_rest(sky)
     if not discs:
-        return np.array([0.0, 0.0, 1.0]), np.zeros(3), 0.0
+        return np.array([0.0, 0.0, 1.0]), np.zeros(3), np.zeros(3), np.zeros(3)
     disc, weight = discs[0]
     light = np.maximum(rgb_from_xyz(np.asarray(disc.normal_xyz)) * weight, 0.0)
-    return np.asarray(disc.sun, dtype=np.float64), light, float(np.sin(disc.angular_radius))
+    sun = np.asarray(disc.sun, dtype=np.float64)
+    across, upward = (np.asarray(axis) * np.tan(disc.angular_radius) for axis in tangent_frame(sun))
+    return sun, across, upward, light
 
 
 def skylight_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -200,10 +206,11 @@ def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tup
     heights, _, _, dx, dy, _ = ground
     azimuths, elevations, weights, light = rest
     level = np.einsum("m,kmc->c", weights * np.sin(elevations), light)
-    bounce = albedo * (level + sunlight[1] * max(sunlight[0][2], 0.0))
+    bounce = albedo * (level + sunlight[3] * max(sunlight[0][2], 0.0))
     stride = max(1, int(np.ceil(np.sqrt(heights.size / MOST_LIT))))
     found = np.zeros((*((size - 1) // stride + 1 for size in heights.shape), 3))
-    skylight(heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found)
+    given = (heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found)
+    shared(skylight, len(found), found.size, given, VERTICES_PER_PIECE)
     return found, stride
 
 

@@ -1,104 +1,145 @@
-# mypy: disable-error-code="no-untyped-def,untyped-decorator,misc"
-"""Rows of a terrain picture: rays, sun and shadows, skylight, and the air before them, compiled."""
+# mypy: allow-untyped-defs
+"""Rows of a terrain picture: rays, sun and shadows, skylight, and the air before them, compiled.
+
+Tuples that functions share: `ground` is heights, pyramid, levels, dx, dy, base; `camera` u, v, z, forward, right, up
+(scaled to half the frame), width, height; `sunlight` the direction to the sun, two tangents there as long as the disc's
+radius, and irradiance, each (3,); `surface` the albedo image, its texels a cell along rows and columns, and the mean
+(3,), which the ground beyond the map has; `lit` skylight (rows, columns, 3) and the stride of its vertices; `air` the
+kind, the fog (6,), densities (2,) and `haze.fast.FastTables`. Places are u, v in cells and z in metres, directions x, y
+(east, north), z.
+"""
 
 import math
 
-import numba
 import numpy as np
 
+from skydome.ground.compiled import job
+from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.haze.kernel import along, read_light
-from skydome.land.rays_kernel import lerp3, march, noise, normal_at
+from skydome.land.rays_kernel import lerp3, march, normal_at
 
 FARTHEST = 1e9
 """How far flat ground beyond the map is followed, m."""
 NOTHING, CLEAR, FOG = 0, 1, 2
 """What the air does: nothing, aerial perspective, or a fog that looks the same from everywhere."""
+LIFT = 0.02
+"""How far above the ground, in cells, a ray to the sun starts."""
+real = np.float32
+compiled = job()
 
 
-@numba.njit(cache=True, error_model="numpy", parallel=True)
-def picture_rows(
-    ground, camera, first_row, samples, seed, sky, sunlight, lit, surface, air_kind, fog, densities, tables, out, depth
-):
-    """Fill rows `first_row`.. of RGB `out` (R, W, 3) and mean `depth` (R, W), m, infinite where only sky is seen.
+@compiled
+def view(camera, row, column, sample, side, key):
+    """The ray through one of side x side jittered places in a pixel, a unit vector x, y, z."""
+    _, _, _, forward, right, up, width, height = camera
+    px = (column + (sample % side + uniform(key, 0)) / side) / width * 2 - 1
+    py = 1 - (row + (sample // side + uniform(key, 1)) / side) / height * 2
+    x = forward[0] + px * right[0] + py * up[0]
+    y = forward[1] + px * right[1] + py * up[1]
+    z = forward[2] + px * right[2] + py * up[2]
+    scale = 1.0 / math.sqrt(x * x + y * y + z * z)
+    return x * scale, y * scale, z * scale
 
-    `ground`: heights, pyramid, levels, dx, dy, base. `camera`: u, v, z, forward, right, up scaled to half the frame.
-    `sky` (R, W, 3). `sunlight`: direction, irradiance (3,), sine of the disc's radius. `lit`: skylight and stride.
-    `surface`: albedo image, texels a cell, and the mean, which the ground beyond the map has. `fog` (6,): extinction
-    m-1 and ambient light.
-    """
+
+@compiled
+def reached(ground, camera, x, y, z):
+    """Metres to the ground, negative for the sky, and whether it is on the map."""
     heights, pyramid, levels, dx, dy, base = ground
-    u0, v0, z0, forward, right, up, width, height = camera
-    sun, sun_rgb, sun_radius = sunlight
-    skylit, stride = lit
-    albedo, texel_rows, texel_columns, mean_albedo = surface
-    air, nodes, table, suns, peak = tables
-    side = int(math.sqrt(samples))
-    for row in numba.prange(out.shape[0]):
-        scattered = np.zeros(6, np.float32)
-        colour, skyward, total = np.zeros(3), np.zeros(3), np.zeros(3)
-        for column in range(out.shape[1]):
+    t = march(heights, pyramid, levels, camera[0], camera[1], camera[2], x / dx, -y / dy, z, FARTHEST)
+    if t < 0.0 and z < -1e-9:
+        return min((camera[2] - base) / -z, FARTHEST), False
+    return t, t >= 0.0
+
+
+@compiled
+def point_on_sun(sunlight, key):
+    """A direction to a point of the sun's disc, even over it: x, y, z, not scaled to length 1."""
+    sun, across, upward = sunlight[0], sunlight[1], sunlight[2]
+    radius, turn = math.sqrt(uniform(key, 2)), 2 * math.pi * uniform(key, 3)
+    a, b = radius * math.cos(turn), radius * math.sin(turn)
+    return (
+        sun[0] + a * across[0] + b * upward[0],
+        sun[1] + a * across[1] + b * upward[1],
+        sun[2] + a * across[2] + b * upward[2],
+    )
+
+
+@compiled
+def sun_cosine(ground, u, v, z, sunlight, key):
+    """Cosine between the slope's normal at a place on the map and the sun; 0 in shadow, or turned away."""
+    heights, pyramid, levels, dx, dy, _ = ground
+    nx, ny, nz = normal_at(heights, u, v, dx, dy)
+    sun = sunlight[0]
+    cosine = nx * sun[0] + ny * sun[1] + nz * sun[2]
+    if cosine <= 0.0:
+        return 0.0
+    x, y, up = point_on_sun(sunlight, key)
+    blocked = march(heights, pyramid, levels, u, v, z + LIFT * min(dx, dy), x / dx, -y / dy, up, FARTHEST)
+    return 0.0 if blocked >= 0.0 else cosine
+
+
+@compiled
+def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key, colour, skyward, light):
+    """The light of the ground that a ray x, y, z meets at t, before the air dims it, into `light` (3,).
+
+    `colour`, `skyward` (3,): scratch.
+    """
+    u, v = camera[0] + x / ground[3] * t, camera[1] - y / ground[4] * t
+    cosine = max(sunlight[0][2], 0.0)
+    colour[:] = surface[3]
+    if on_map:
+        lerp3(surface[0], v * surface[1], u * surface[2], colour)
+        cosine = sun_cosine(ground, u, v, camera[2] + z * t, sunlight, key)
+    lerp3(lit[0], v / lit[1], u / lit[1], skyward)
+    for c in range(3):
+        light[c] = colour[c] / math.pi * (sunlight[3][c] * cosine + skyward[c])
+
+
+@compiled
+def through_air(air, x, y, z, t, scattered, light):
+    """Dim and veil `light` (3,), in place, by t metres of air along a ray. `scattered` (6,): scratch."""
+    kind, fog, densities, tables = air
+    if kind == CLEAR:
+        coefficients, nodes, table, suns, peak = tables
+        read_light(table, suns, peak, real(x), real(y), real(z), scattered)
+        t0, t1, t2, h0, h1, h2, g0, g1, g2 = along(real(t), real(z), densities[0], densities[1], coefficients, nodes)
+        light[0] = light[0] * t0 + (scattered[0] * h0 + scattered[3] * g0)
+        light[1] = light[1] * t1 + (scattered[1] * h1 + scattered[4] * g1)
+        light[2] = light[2] * t2 + (scattered[2] * h2 + scattered[5] * g2)
+    elif kind == FOG:
+        for c in range(3):
+            seen = math.exp(-fog[c] * t)
+            light[c] = light[c] * real(seen) + real((1 - seen) * fog[3 + c])
+
+
+@compiled
+def picture_rows(first, last, ground, camera, samples, seed, sky, sunlight, lit, surface, air, out, depth):
+    """Fill rows first...last of RGB `out` (H, W, 3) and mean `depth` (H, W), m, infinite where only sky is seen.
+
+    `sky` (H, W, 3). `samples` a pixel, a square number; the random numbers are those of (seed, pixel, sample).
+    """
+    side, width = int(math.sqrt(samples)), out.shape[1]
+    scattered = np.zeros(6, np.float32)
+    colour, skyward, light, total = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
+    for row in range(first, last):
+        for column in range(width):
             total[:] = 0.0
             far, hits = 0.0, 0
             for s in range(samples):
-                key = (((first_row + row) * width + column) * samples + s) * 4 + seed * 7919
-                px = (column + (s % side + noise(key)) / side) / width * 2 - 1
-                py = 1 - (first_row + row + (s // side + noise(key + 1)) / side) / height * 2
-                x = forward[0] + px * right[0] + py * up[0]
-                y = forward[1] + px * right[1] + py * up[1]
-                z = forward[2] + px * right[2] + py * up[2]
-                scale = 1.0 / math.sqrt(x * x + y * y + z * z)
-                x, y, z = x * scale, y * scale, z * scale
-                t = march(heights, pyramid, levels, u0, v0, z0, x / dx, -y / dy, z, 1e9)
-                on_map = t >= 0.0
-                if not on_map and z < -1e-9:
-                    t = min((z0 - base) / -z, FARTHEST)
+                key = stirred(np.uint64((row * width + column) * samples + s) + np.uint64(seed) * GOLDEN)
+                x, y, z = view(camera, row, column, s, side, key)
+                t, on_map = reached(ground, camera, x, y, z)
                 if t < 0.0:
-                    for c in range(3):
-                        total[c] += sky[row, column, c]
-                    continue
-                hits += 1
-                far += t
-                u, v = u0 + x / dx * t, v0 - y / dy * t
-                if on_map:
-                    lerp3(albedo, v * texel_rows, u * texel_columns, colour)
+                    light[:] = sky[row, column]
                 else:
-                    colour[0], colour[1], colour[2] = mean_albedo[0], mean_albedo[1], mean_albedo[2]
-                lerp3(skylit, v / stride, u / stride, skyward)
-                nx, ny, nz = 0.0, 0.0, 1.0
-                if on_map:
-                    nx, ny, nz = normal_at(heights, u, v, dx, dy)
-                sx, sy, sz = sun[0], sun[1], sun[2]
-                cosine = nx * sx + ny * sy + nz * sz
-                if cosine > 0.0 and on_map:
-                    sx += sun_radius * (noise(key + 2) * 2 - 1)
-                    sz += sun_radius * (noise(key + 3) * 2 - 1)
-                    lift = 0.02 * min(dx, dy)
-                    zs = z0 + z * t + lift
-                    if march(heights, pyramid, levels, u, v, zs, sx / dx, -sy / dy, sz, 1e9) >= 0.0:
-                        cosine = 0.0
-                if air_kind == CLEAR:
-                    read_light(table, suns, peak, np.float32(x), np.float32(y), np.float32(z), scattered)
-                    t0, t1, t2, h0, h1, h2, g0, g1, g2 = along(
-                        np.float32(t), np.float32(z), densities[0], densities[1], air, nodes
+                    hits += 1
+                    far += t
+                    ground_light(
+                        ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key, colour, skyward, light
                     )
-                    seen = (t0, t1, t2)
-                    veil = (
-                        scattered[0] * h0 + scattered[3] * g0,
-                        scattered[1] * h1 + scattered[4] * g1,
-                        scattered[2] * h2 + scattered[5] * g2,
-                    )
-                elif air_kind == FOG:
-                    f0, f1, f2 = math.exp(-fog[0] * t), math.exp(-fog[1] * t), math.exp(-fog[2] * t)
-                    seen = (np.float32(f0), np.float32(f1), np.float32(f2))
-                    veil = (
-                        np.float32((1 - f0) * fog[3]), np.float32((1 - f1) * fog[4]), np.float32((1 - f2) * fog[5]),
-                    )  # fmt: skip
-                else:
-                    seen = (np.float32(1), np.float32(1), np.float32(1))
-                    veil = (np.float32(0), np.float32(0), np.float32(0))
+                    through_air(air, x, y, z, t, scattered, light)
                 for c in range(3):
-                    light = colour[c] / math.pi * (sun_rgb[c] * max(cosine, 0.0) + skyward[c])
-                    total[c] += light * seen[c] + veil[c]
+                    total[c] += light[c]
             for c in range(3):
                 out[row, column, c] = total[c] / samples
             depth[row, column] = far / hits if hits > 0 else np.inf

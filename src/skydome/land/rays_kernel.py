@@ -1,5 +1,5 @@
-# mypy: disable-error-code="no-untyped-def,untyped-decorator,misc"
-"""Rays over a heightfield by a maximum mipmap, the light on it, and whole pictures, compiled.
+# mypy: allow-untyped-defs
+"""Rays over a heightfield by a maximum mipmap, its slopes and skylines, compiled.
 
 Grid: u grows with the column (east), v with the row (south), both in cells; z in metres, t in metres along a ray.
 `pyramid`: the maxima of 2^k x 2^k blocks of cells, all levels in one array; `levels` (K, 3): offset, rows, columns.
@@ -7,11 +7,9 @@ Grid: u grows with the column (east), v with the row (south), both in cells; z i
 
 import math
 
-import numba
-import numpy as np
+from skydome.ground.compiled import job
 
-compiled = numba.njit(cache=True, error_model="numpy")
-parallel = numba.njit(cache=True, error_model="numpy", parallel=True)
+compiled = job()
 EDGE = 1e-7
 """How far, in cells, a ray is moved past an edge so that it lies in the next cell."""
 
@@ -111,15 +109,15 @@ def horizon(heights, i, j, du, dv, cell):
         distance += max(1.0, 0.08 * distance)
 
 
-@parallel
-def skylight(heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found):
-    """Irradiance (rows, columns, 3) of vertices at `stride`, by the sky above each one's own skyline and the ground.
+@compiled
+def skylight(first, last, heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found):
+    """Irradiance of rows first...last of the vertices at `stride`, into `found` (rows, columns, 3).
 
-    `light` (K, M, 3): the sky's at azimuths (K,) and elevations (M,); `weights` (M,) include cos e and the sector.
-    `bounce` (3,): what a slope's surroundings send back where they hide the sky.
+    By the sky above each one's own skyline: `light` (K, M, 3) is the sky's at azimuths (K,) and elevations (M,);
+    `weights` (M,) include cos e and the sector. `bounce` (3,): what the surroundings send back where they hide it.
     """
     cell = min(dx, dy)
-    for row in numba.prange(found.shape[0]):
+    for row in range(first, last):
         i = min(row * stride, heights.shape[0] - 1)
         for column in range(found.shape[1]):
             j = min(column * stride, heights.shape[1] - 1)
@@ -150,18 +148,6 @@ def normal_at(heights, u, v, dx, dy):
     north = (height_at(heights, u, v - 0.5) - height_at(heights, u, v + 0.5)) / dy
     length = 1.0 / math.sqrt(east * east + north * north + 1.0)
     return -east * length, -north * length, length
-
-
-@compiled
-def noise(n):
-    """An even number in 0..1 by a whole number (Wang's hash)."""
-    x = np.uint32(n)
-    x = np.uint32((x ^ np.uint32(61)) ^ (x >> np.uint32(16)))
-    x = np.uint32(x * np.uint32(9))
-    x = np.uint32(x ^ (x >> np.uint32(4)))
-    x = np.uint32(x * np.uint32(0x27D4EB2D))
-    x = np.uint32(x ^ (x >> np.uint32(15)))
-    return x / 4294967296.0
 
 
 @compiled

@@ -17,7 +17,7 @@ from skydome.ground.extras import required
 from skydome.light.spectrum import xyz_weights
 from skydome.own_air.family import SkyFamily
 from skydome.skies.formula.perez_formula import evaluate, from_perez, view_geometry
-from skydome.skies.formula.sky_tables import node_weights
+from skydome.skies.formula.sky_tables import held_weights
 from skydome.skies.preetham import PreethamNumbers, letters, zenith_chi
 
 Numbers = tuple[float, ...]
@@ -41,7 +41,7 @@ def preetham_fit(family: SkyFamily, albedo: float = 0.0) -> PreethamNumbers:
     if t.size < 3 or e.size < 4 or w[0] > 400 or w[-1] < 700:
         raise ValueError(f"three turbidities, four suns and 400-700 nm are needed, got {t.size} turbidities, {e.size} "
                          f"suns and {w[0]:g}-{w[-1]:g} nm")  # fmt: skip
-    share = node_weights(np.asarray(albedo, dtype=np.float64), family.albedos)
+    share = held_weights(family.albedos, np.asarray(albedo, dtype=np.float64))
     xyz = np.einsum("a,taedw->tedw", share, family.radiance) @ xyz_weights(w)
     if not (xyz > 0).all():
         raise ValueError(f"the skies' X, Y and Z must be positive, got a least of {xyz.min():g}")

@@ -16,6 +16,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant, floating, limited, namespace, settled
 from skydome.ground.directions import elevation
+from skydome.ground.interpolation import weights
 from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
@@ -29,19 +30,12 @@ from skydome.skies.validity import Range, require
 BANDS = np.arange(320.0, 721.0, 40.0)
 """Wavelengths of the spectral form's bands, nm."""
 
+TURBIDITIES = np.arange(1.0, 11.0)
+"""Those that the tables hold."""
+
 ALBEDO = Range(0.0, 1.0)
 ORDER = np.array([0, 1, 2, 3, 4, 5, 6, 8, 7])
 """From A..I to the tables' columns, which stand in the order A B C D E F G I H."""
-
-
-def turbidity_weights(turbidity: Array) -> Array:
-    """Weights of the whole turbidities 1..10, (..., 10): linear between neighbours; right-sided gradient on them."""
-    xp = namespace(turbidity)
-    lower = limited(xp.floor(turbidity), 1.0, 9.0)
-    part = (turbidity - lower)[..., None]
-    distance = constant(np.arange(1.0, 11.0), turbidity) - lower[..., None]
-    nothing = xp.zeros_like(distance * part)
-    return xp.where(distance == 0, 1 - part, xp.where(distance == 1, part, nothing))
 
 
 def interpolated_coefficients(form: str, turbidity: Array, albedo: Array, sun_elevation: Array) -> Array:
@@ -52,7 +46,7 @@ def interpolated_coefficients(form: str, turbidity: Array, albedo: Array, sun_el
     xp = namespace(turbidity, sun_elevation)
     return blended(
         published(form),
-        turbidity_weights(turbidity),
+        weights(TURBIDITIES, turbidity),
         xp.stack([1 - albedo, albedo], axis=-1),
         control_weights(sun_elevation),
     )
@@ -70,7 +64,8 @@ def band_weights(wavelengths: Any, bands: np.ndarray = BANDS) -> np.ndarray:
     """Linear interpolation from bands (B,) to wavelengths (W,) nm among them, matrix (B, W); ValueError outside."""
     wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
     require("wavelengths", wavelengths, Range(float(bands[0]), float(bands[-1]), "nm"))
-    return np.stack([np.interp(wavelengths, bands, row) for row in np.eye(bands.size)])
+    between: np.ndarray = weights(bands, wavelengths).T
+    return between
 
 
 def channel_albedo(albedo: Any, form: str, like: Array, bands: np.ndarray = BANDS) -> Array:
@@ -188,10 +183,10 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
 
     def radiance_recipe(self, wavelengths: Any) -> Recipe:
         """The bands that the wavelengths need, and their linear interpolation."""
-        weights = band_weights(wavelengths, self.bands)
-        used = np.flatnonzero(weights.any(axis=1))
+        between = band_weights(wavelengths, self.bands)
+        used = np.flatnonzero(between.any(axis=1))
         first, last = used[0], used[-1] + 1
-        return self.band_coefficients()[..., first:last, :], Quantity(weights[first:last].T)
+        return self.band_coefficients()[..., first:last, :], Quantity(between[first:last].T)
 
     def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
         """Spectral radiance at 320-720 nm, linear between bands, W m-2 sr-1 nm-1, shape (..., W). See `light`."""

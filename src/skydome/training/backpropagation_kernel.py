@@ -1,22 +1,18 @@
-"""One epoch of back-propagation, sample by sample, compiled."""
-
-from typing import Any
+# mypy: allow-untyped-defs
+"""One epoch of back-propagation, sample by sample, compiled: tested against the gradient of `training.losses`."""
 
 import numpy as np
-from numba import njit
+
+from skydome.ground.compiled import job
 
 
-def compiled(function: Any) -> Any:
-    """`function` by Numba, kept on disk where a folder can be written to."""
-    try:
-        return njit(cache=True, nogil=True, error_model="numpy")(function)
-    except RuntimeError:  # no folder for the cache
-        return njit(nogil=True, error_model="numpy")(function)
+@job()
+def epoch(inputs, wanted, order, w1, b1, w2, b2, m1, c1, m2, c2, rate, momentum):
+    """Change weights w, biases b and their moments m, c in place; the sum of squared errors met on the way.
 
-
-@compiled
-def epoch(inputs, wanted, order, w1, b1, w2, b2, m1, c1, m2, c2, rate, momentum):  # type: ignore[no-untyped-def]
-    """Change weights w, biases b and their moments m, c in place; the sum of squared errors met on the way."""
+    `inputs` (N, q), `wanted` (N, outputs), `order` (N,) indices; `w1`, `m1` (H, q), `b1`, `c1` (H,), `w2`, `m2`
+    (outputs, H), `b2`, `c2` (outputs,).
+    """
     hidden, before, outputs = w1.shape[0], w1.shape[1], w2.shape[0]
     sums, signal, back = np.empty(hidden), np.empty(hidden), np.empty(hidden)
     total = 0.0

@@ -7,7 +7,7 @@ import skydome as sd
 from skydome.dome.sky_rows import columns_from_sun
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.formula import fast as fast_light
-from skydome.skies.formula.fast import formula_light, kernels, odd_skies
+from skydome.skies.formula.fast import formula_light, odd_skies
 
 pytest.importorskip("numba")
 
@@ -171,8 +171,9 @@ def test_skies_beyond_the_kernels_come_from_the_formula(always, monkeypatch):
 def test_powers_and_angles():
     import numba
 
-    kernel = kernels()
-    power_less, small_and_large = kernel.power_less, kernel.angle
+    from skydome.ground.elementary_kernel import power_less
+    from skydome.skies.formula.nine_numbers_kernel import angle as small_and_large
+
     power = numba.njit(lambda x: power_less(x, np.float32(1.0)))
     angle_of = numba.njit(lambda u, w: small_and_large(u, w))
     x = np.concatenate([np.linspace(-125, 100, 2001), np.geomspace(1e-20, 1, 50), -np.geomspace(1e-20, 1, 50)])

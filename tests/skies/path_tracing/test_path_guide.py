@@ -86,9 +86,9 @@ def test_the_guides_directions_are_a_distribution():
     assert (np.diff(guide.turns, axis=-1) >= 0).all()
 
 
-def test_directions_drawn_have_the_density_told():
+def test_directions_sampled_have_the_pdf_stated():
     """The mean of 1 / density over what is drawn is the solid angle where light comes from; of cos, its integral."""
-    from skydome.skies.path_tracing.guide_kernel import frame, led, led_density
+    from skydome.skies.path_tracing.guide_kernel import direction_pdf, frame, sample_direction
 
     guide = guide_for(shells(AIR, W), -0.1, 0.8)
     node, axes, d = (3, 20), np.zeros((3, 3)), np.zeros(3)
@@ -99,9 +99,9 @@ def test_directions_drawn_have_the_density_told():
     numbers = np.random.default_rng(1).random((20_000, 2))
     inverse, level = [], []
     for u, v in numbers:
-        led(u, v, node, guide, axes, d)
+        sample_direction(u, v, node, guide, axes, d)
         assert np.linalg.norm(d) == pytest.approx(1, rel=1e-12)
-        inverse.append(1 / led_density(d, node, guide, axes))
+        inverse.append(1 / direction_pdf(d, node, guide, axes))
         level.append((d @ x) ** 2)
     inverse = np.array(inverse)
     assert inverse.mean() == pytest.approx(4 * np.pi, abs=4 * inverse.std() / 141)
@@ -109,24 +109,26 @@ def test_directions_drawn_have_the_density_told():
     assert square.mean() == pytest.approx(4 * np.pi / 3, abs=4 * square.std() / 141)
 
 
-def test_distances_drawn_have_the_density_told():
-    from skydome.skies.path_tracing.flight_kernel import way
-    from skydome.skies.path_tracing.guide_kernel import cell_density, drawn_cell, lay
+def test_distances_sampled_have_the_pdf_stated():
+    from skydome.skies.path_tracing.flight_kernel import segment_of
+    from skydome.skies.path_tracing.guide_kernel import cell_pdf, sample_cell, tabulate_cells
 
     air = shells(AIR, W)
     guide = guide_for(air, -0.1, 0.8)
     for r, cosine in ((air.radius, 0.3), (air.radius + 2e4, -0.03), (air.radius + 2e4, -0.5)):
-        line = way(r, cosine, air)
-        edges, power, scratch = np.zeros(17), np.zeros(18), np.zeros((4, 4))
-        total = lay(r, cosine, line, -0.05, 0.9, air, guide, guide.source, np.ones(4), scratch, edges, power)
+        segment = segment_of(r, cosine, air)
+        edges, cdf, scratch = np.zeros(17), np.zeros(18), np.zeros((4, 4))
+        total = tabulate_cells(
+            r, cosine, segment, -0.05, 0.9, air, guide, guide.source, np.ones(4), scratch, edges, cdf
+        )
         assert total == pytest.approx(scratch[3].sum(), rel=1e-9)
         assert (np.diff(edges) > 0).all()
-        assert edges[-1] == pytest.approx(line[1], rel=1e-6)
-        ground = cell_density(-1.0, edges, power)
+        assert edges[-1] == pytest.approx(segment[1], rel=1e-6)
+        ground = cell_pdf(-1.0, edges, cdf)
         inner = (edges[1:] + edges[:-1]) / 2
-        density = np.array([cell_density(t, edges, power) for t in inner])
+        density = np.array([cell_pdf(t, edges, cdf) for t in inner])
         assert density @ np.diff(edges) + ground == pytest.approx(1, rel=1e-9)
-        drawn = np.array([drawn_cell(u, edges, power) for u in (np.arange(4000) + 0.5) / 4000])
+        drawn = np.array([sample_cell(u, edges, cdf) for u in (np.arange(4000) + 0.5) / 4000])
         assert (drawn < 0).mean() == pytest.approx(ground, abs=1e-3)
         counts = np.histogram(drawn[drawn >= 0], edges)[0] / 4000
         np.testing.assert_allclose(counts, density * np.diff(edges), atol=1e-3)
@@ -134,10 +136,11 @@ def test_distances_drawn_have_the_density_told():
 
 def test_the_parts_in_vectors_are_the_functions_they_stand_for():
     special = pytest.importorskip("scipy.special")
-    from skydome.skies.path_tracing.parts_kernel import exponential, scaled_erfc
+    from skydome.ground.elementary_kernel import exponential_double
+    from skydome.skies.path_tracing.air_kernel import scaled_erfc
 
     x = np.concatenate([-np.linspace(0, 600, 2001), [1e-12, -1e-9, 3.0]])
-    np.testing.assert_allclose([exponential(v) for v in x], np.exp(x), rtol=3e-10)
-    assert exponential(-1e6) < 1e-300
+    np.testing.assert_allclose([exponential_double(v) for v in x], np.exp(x), rtol=3e-10)
+    assert exponential_double(-1e6) < 1e-300
     z = np.concatenate([np.linspace(0, 40, 2001), [1e3, 1e6]])
     np.testing.assert_allclose([scaled_erfc(v) for v in z], special.erfcx(z), rtol=1e-8)

@@ -8,11 +8,12 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Molecules, Ozone
 from skydome.air.phase_laws import CornetteShanks
 from skydome.air.profiles import Tabulated
+from skydome.ground import compiled
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.physical.nishita import Nishita93
 
-numba = pytest.importorskip("numba")
+pytest.importorskip("numba")
 W = np.array([550.0])
 VIEWS = sd.direction(np.radians([180.0, 180, 0, 90, 0, 45]), np.radians([20.0, 70, 30, 50, 89, 10]))
 AIR = Atmosphere.standard(aerosol_depth=0.1)
@@ -56,17 +57,15 @@ def test_ozone_table_cornette_shanks_and_tabulated_aerosol():
     assert np.median(np.abs(found.radiance / expected - 1)) < 0.015
 
 
-def test_the_same_seed_gives_the_same_light_whatever_the_threads():
+def test_the_same_seed_gives_the_same_light_whatever_the_threads(monkeypatch):
     job = PathTraced(sun_at(30.0), AIR, seed=5).job(VIEWS, W)
-    threads = numba.get_num_threads()
-    first = job.start().more(2)
-    try:
-        numba.set_num_threads(1)
-        second = job.start().more(2)
-    finally:
-        numba.set_num_threads(threads)
-    np.testing.assert_array_equal(first.mean, second.mean)
-    assert (PathTraced(sun_at(30.0), AIR, seed=6).job(VIEWS, W).start().more(2).mean != first.mean).any()
+    found = []
+    for threads in (1, 2, 7):
+        monkeypatch.setattr(compiled, "workers", lambda threads=threads: threads)
+        found.append(job.start().more(2).mean)
+    np.testing.assert_array_equal(found[0], found[1])
+    np.testing.assert_array_equal(found[0], found[2])
+    assert (PathTraced(sun_at(30.0), AIR, seed=6).job(VIEWS, W).start().more(2).mean != found[0]).any()
 
 
 def test_interrupted_stored_resumed_and_merged_is_the_same(tmp_path):

@@ -15,7 +15,7 @@ from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Exponential
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.path_tracing.sky import PathTraced
-from skydome.skies.physical.discrete_ordinates import geometry
+from skydome.skies.physical.cosine_series import geometry
 from skydome.skies.physical.layers import escaping
 
 pytest.importorskip("numba")

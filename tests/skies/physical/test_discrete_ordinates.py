@@ -12,7 +12,8 @@ from skydome.air.constituents import Aerosol, Molecules
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.directions import rotate_about_vertical
 from skydome.ground.quadrature import hemisphere
-from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates, geometry, usable_streams
+from skydome.skies.physical.cosine_series import geometry
+from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates, usable_streams
 from skydome.skies.physical.layers import layered
 from skydome.skies.physical.nishita import Nishita93
 

@@ -7,4 +7,6 @@
 - sky_tables     Tables of a sky model in Hosek and Wilkie's form
 - fast           The choice between the readable formula and its compiled float32 form
 - kernel         The nine numbers in float32, compiled, the fast second form of `perez_formula.evaluate`
+- nine_numbers_kernel  Its gradation and indicatrix, at one place and in rows
+- quantity_kernel      Its way from channels to the quantity asked for
 """

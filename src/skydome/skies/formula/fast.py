@@ -6,13 +6,11 @@ ones the formula, rounded at the end, so that they never wait for a compiler (ab
 a process).
 """
 
-import os
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.ground.compiled import has_numba, shared
 from skydome.skies.formula.perez_formula import A, B, C, D, E, F, G, H, I, R, evaluate, view_geometry
 from skydome.skies.formula.quantity import Quantity
 
@@ -20,7 +18,6 @@ LEAST_VALUES = 1 << 20
 """Fewer numbers of light than this, on the rows of a map, take NumPy."""
 PRICE_OF_DIRECTIONS = 4
 """What a number toward any direction costs in NumPy, in numbers on the rows of a map (at least)."""
-VALUES_PER_PIECE = 1 << 17
 MOST_ODD = 0.01
 """Share of skies, beyond the kernels' range, that the formula makes up for; with more the formula does all."""
 RISE, FALL = 9.0, -60.0
@@ -49,11 +46,11 @@ class Light(NamedTuple):
 
 def kernels() -> Any:
     """The compiled formula's module, or None where Numba is not installed."""
-    try:
-        from skydome.skies.formula import kernel as perez_kernel
-    except ImportError:
+    if not has_numba():
         return None
-    return perez_kernel
+    from skydome.skies.formula import kernel
+
+    return kernel
 
 
 def odd_skies(coefficients: np.ndarray) -> np.ndarray:
@@ -94,21 +91,6 @@ def prepared(light: Light) -> tuple[np.ndarray, tuple[np.ndarray, bool, np.ndarr
     matrix = none if matrix is None else np.ascontiguousarray(matrix, dtype=np.float32)
     balance = light.quantity.balance
     return letters, (matrix, light.quantity.chromatic, np.asarray([] if balance is None else balance, np.float32))
-
-
-def workers() -> int:
-    """Processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def shared(job: Callable[[int, int], Any], count: int, values: int) -> list[Any]:
-    """The answers of job(first, last) over pieces of range(count), in threads; `values` is the whole job's size."""
-    pieces = max(1, min(count, 4 * workers(), values // VALUES_PER_PIECE))
-    edges = [count * k // pieces for k in range(pieces + 1)]
-    if pieces == 1:
-        return [job(0, count)]
-    with ThreadPoolExecutor(min(workers(), pieces)) as pool:
-        return list(pool.map(job, edges[:-1], edges[1:]))
 
 
 def many_skies(kernel: Any, light: Light, directions: np.ndarray, out: np.ndarray) -> None:

@@ -13,6 +13,7 @@ from zipfile import BadZipFile, ZipFile
 import numpy as np
 
 from skydome.ground.arrays import Array, at_least, constant, limited, namespace
+from skydome.ground.interpolation import weights
 
 BINOMIAL = np.array([1.0, 5.0, 10.0, 10.0, 5.0, 1.0])
 POINTS = BINOMIAL.size
@@ -30,17 +31,9 @@ def control_weights(sun_elevation: Array) -> Array:
     return constant(BINOMIAL, s) * s**k * (1 - s) ** (5 - k)
 
 
-def node_weights(value: Array, nodes: np.ndarray) -> Array:
-    """Weights of rising `nodes` (N,) at each value (...,), (..., N): linear between, held beyond the ends."""
-    xp = namespace(value)
-    if nodes.size == 1:
-        return xp.ones_like(value)[..., None]
-    place = limited(value, float(nodes[0]), float(nodes[-1]))[..., None]
-    steps = np.diff(nodes)
-    rising = (place - constant(nodes[:-1], place)) / constant(steps, place)
-    share = limited(rising, 0.0, 1.0)  # how far through each interval
-    nothing = xp.zeros_like(share[..., :1])
-    return xp.concat([nothing + 1, share], axis=-1) - xp.concat([share, nothing], axis=-1)
+def held_weights(nodes: np.ndarray, value: Array) -> Array:
+    """Linear weights of `nodes` (N,) at each value (...,), (..., N); held beyond the ends."""
+    return weights(nodes, limited(value, float(nodes[0]), float(nodes[-1])))
 
 
 def blended(table: np.ndarray, turbidity: Array, albedo: Array, control: Array) -> Array:
@@ -50,12 +43,12 @@ def blended(table: np.ndarray, turbidity: Array, albedo: Array, control: Array) 
     """
     xp = namespace(turbidity, control)
     nodes, albedos, _, channels, _ = table.shape
-    weights = turbidity[..., :, None] * control[..., None, :]
-    weights = xp.reshape(weights, (*tuple(weights.shape)[:-2], nodes * POINTS))
-    mixed = weights @ constant(table.transpose(0, 2, 1, 3, 4).reshape(nodes * POINTS, -1), weights)
-    mixed = xp.reshape(mixed, (*tuple(mixed.shape)[:-1], albedos, channels, 10))
-    first = mixed[..., 0, :, :] * albedo[..., 0, None]
-    return sum((mixed[..., k, :, :] * albedo[..., k, None] for k in range(1, albedos)), first)
+    both = turbidity[..., :, None] * control[..., None, :]
+    both = xp.reshape(both, (*tuple(both.shape)[:-2], nodes * POINTS))
+    numbers = both @ constant(table.transpose(0, 2, 1, 3, 4).reshape(nodes * POINTS, -1), both)
+    numbers = xp.reshape(numbers, (*tuple(numbers.shape)[:-1], albedos, channels, 10))
+    first = numbers[..., 0, :, :] * albedo[..., 0, None]
+    return sum((numbers[..., k, :, :] * albedo[..., k, None] for k in range(1, albedos)), first)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,8 +86,8 @@ class SkyTables:
     def coefficients(self, turbidity: Array, albedo: Array, sun_elevation: Array) -> Array:
         """R A ... I of every band, shape (..., W, 10); `albedo` (..., 1) or (..., W)."""
         control = control_weights(at_least(sun_elevation, self.lowest))
-        weights = node_weights(turbidity, self.turbidities), node_weights(albedo, self.albedos)
-        return blended(self.control, *weights, control)
+        shares = (held_weights(self.turbidities, turbidity), held_weights(self.albedos, albedo))
+        return blended(self.control, *shares, control)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write to a .npz file, whole or not at all."""

@@ -6,4 +6,5 @@
 - folding  A network under one sky, what does not change with the view goes into the biases
 - fast     Light of one neural sky toward many float32 directions, blocks of NumPy
 - kernel   Small networks in float32, compiled: the fast form of `network.Network.light`, tested against it
+- layers_kernel  Blocks of views through all layers
 """

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from skydome.skies.formula.fast import shared
+from skydome.ground.compiled import has_numba, shared
 from skydome.skies.neural.folding import INPUTS, OF_THE_ROW, Folded, columns_of, steadied
 
 LEAST_DIRECTIONS = 1 << 19
@@ -109,13 +109,11 @@ def light_toward(network: Folded, directions: np.ndarray, matrix: np.ndarray | N
 def compiled_kernel(network: Folded) -> Any:
     """The compiled module, None where Numba is missing or the network is not of its kind."""
     known = all(name in KERNEL_INPUTS for name in network.inputs) and network.output.name in KERNEL_OUTPUTS
-    if not known or len(network.layers) < 2 or largest_sum(network) > LARGEST_SUM:
+    if not known or len(network.layers) < 2 or largest_sum(network) > LARGEST_SUM or not has_numba():
         return None
-    try:
-        from skydome.skies.neural import kernel as network_kernel
-    except ImportError:
-        return None
-    return network_kernel
+    from skydome.skies.neural import kernel
+
+    return kernel
 
 
 def largest_sum(network: Folded) -> float:

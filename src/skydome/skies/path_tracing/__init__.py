@@ -2,13 +2,13 @@
 
 - sky               The sky by brute force, backward Monte Carlo in spherical shells, all orders, ground
 - tables            What the path tracer's kernel reads, geometry
-- guide             What leads the path tracer in twilight, a coarse picture of the light in the air
+- guide             What guides the path tracer in twilight, coarse tables of the light in the air
 - many_suns         The path tracer's other way to find the sun: by chance, with many suns in the sky at once
-- loop_kernel       The path tracer's loops over directions, paths and events, compiled by Numba
-- event_kernel      What happens to a path where it arrives, at all wavelengths, weights, sunlight
-- flight_kernel     Straight ways through the air, where they end, what lies on them, where a flight ends
-- parts_kernel      Parts of the path tracer, compiled by Numba, random numbers, columns and densities
-- guide_kernel      Where paths are led in twilight
-- light_kernel      The coarse picture of the light in the air that paths are led by in twilight, compiled by Numba
-- many_suns_kernel  Paths that are followed until they leave the air, and counted where they hit one of many suns
+- loop_kernel          The path tracer's loops over directions, paths and events
+- event_kernel         A path at a vertex, at all wavelengths: throughput and pdf, next event, the next direction
+- flight_kernel        Straight segments: where they end, the columns on them, transmittance, free flights
+- air_kernel           Columns, densities and phase functions of the air
+- guide_kernel         Path guiding in twilight: flights and directions sampled from coarse tables of the light
+- guide_tables_kernel  Those tables, order by order
+- many_suns_kernel     Paths that are followed until they leave the air, and counted where they hit one of many suns
 """

@@ -1,18 +1,23 @@
-"""Straight ways through the air: where they end, what lies on them, where a flight ends; compiled by Numba."""
+# mypy: allow-untyped-defs
+"""Straight segments of a path through the air: where they end, the columns on them, transmittance, free flights.
+
+`r`: radius of the start, m, and `cosine` of its angle to the vertical; `segment`: what `segment_of` gives; `air`,
+`fade`, `density` as in `air_kernel`; `columns` (3, K) as `segment_columns` has them; `hero`: index of a wavelength.
+"""
 
 import math
-from typing import Any
 
-import numpy as np
+from skydome.ground.compiled import ANY_ORDER, inlined
+from skydome.ground.elementary_kernel import exponential_double
+from skydome.skies.path_tracing.air_kernel import column_out, densities_at, fade_at
 
-from skydome.skies.path_tracing.parts_kernel import column_out, exponential, fade_at, jit, thin
-
+jit = inlined(ANY_ORDER)
 RISING, PASSING, GROUNDED = 0, 1, 2
 
 
 @jit
-def way(r: float, cosine: float, air: Any) -> Any:
-    """Lowest radius of a line from radius r, length of the way to the ground or the top of the air, and its kind."""
+def segment_of(r, cosine, air):
+    """Lowest radius of a line from radius r, length of the segment to the ground or the air's top, and its kind."""
     lowest = r * math.sqrt(max(1 - cosine * cosine, 0.0))
     if cosine < 0 and lowest < air.radius:
         return lowest, max(-r * cosine - math.sqrt(max(air.radius**2 - lowest**2, 0.0)), 0.0), GROUNDED
@@ -21,12 +26,12 @@ def way(r: float, cosine: float, air: Any) -> Any:
 
 
 @jit
-def measure(r: float, cosine: float, path: Any, air: Any, fade: Any, columns: Any) -> None:
-    """Columns of a way into `columns` (3, K): out to space at its start, out from its lowest point, and on the whole.
+def segment_columns(r, cosine, segment, air, fade, columns):
+    """Columns of a segment into `columns` (3, K): out to space at its start, out from its lowest point, whole.
 
-    `fade` (K,) is that of the start. A falling way's columns out are those of the same line turned round.
+    `fade` (K,) is that of the start. A falling segment's columns out are those of the same line turned round.
     """
-    lowest, end, kind = path
+    lowest, end, kind = segment
     for k in range(air.rates.shape[0]):
         columns[0, k] = column_out(k, r, abs(cosine), fade[k], air)
         if kind == RISING:
@@ -40,8 +45,8 @@ def measure(r: float, cosine: float, path: Any, air: Any, fade: Any, columns: An
 
 
 @jit
-def passed(k: int, at: float, to: float, kind: int, fade: float, air: Any, columns: Any) -> Any:
-    """Column of k from the start of a way to where it has come to radius `at` and cosine `to`."""
+def column_to(k, at, to, kind, fade, air, columns):
+    """Column of k from the start of a segment to where it has come to radius `at` and cosine `to`."""
     out = column_out(k, at, abs(to), fade, air)
     if kind == RISING or (kind == PASSING and to >= 0):
         return columns[2, k] - out
@@ -49,10 +54,8 @@ def passed(k: int, at: float, to: float, kind: int, fade: float, air: Any, colum
 
 
 @jit
-def flown(
-    r: float, cosine: float, goal: float, end: float, out: float, hero: int, air: Any, fade: Any, density: Any
-) -> Any:
-    """Distance to where the optical depth out is `goal`, on a way that only rises or falls.
+def distance_at_depth(r, cosine, goal, end, out, hero, air, fade, density):
+    """Distance to where the optical depth out is `goal`, on a segment that only rises or falls.
 
     It begins where that is `out`, and ends at the distance `end`. Newton in the logarithm of the optical depth out to
     space, which is nearly straight; bracketed. `density` (K,) is that of the start and, with `fade`, is written over.
@@ -81,7 +84,7 @@ def flown(
             break
         at = math.sqrt(r * r + t * t + 2 * r * cosine * t)
         to = abs(r * cosine + t) / at
-        thin(at - air.radius, air, fade, density)
+        densities_at(at - air.radius, air, fade, density)
         out = 0.0
         for k in range(air.rates.shape[0]):
             out += air.depth[k, hero] * column_out(k, at, to, fade[k], air)
@@ -89,29 +92,27 @@ def flown(
 
 
 @jit
-def drawn_flight(
-    goal: float, r: float, cosine: float, path: Any, hero: int, air: Any, fade: Any, density: Any, columns: Any
-) -> Any:
-    """Distance at which the optical depth along a way is `goal`, at wavelength `hero`."""
-    lowest, end, kind = path
+def free_flight(goal, r, cosine, segment, hero, air, fade, density, columns):
+    """Free flight: distance at which the optical depth along a segment is `goal`, at wavelength `hero`."""
+    lowest, end, kind = segment
     near, low = 0.0, 0.0
     for k in range(air.rates.shape[0]):
         near += air.depth[k, hero] * columns[0, k]
         low += air.depth[k, hero] * columns[1, k]
     if kind == RISING:
-        return flown(r, cosine, near - goal, end, near, hero, air, fade, density)
+        return distance_at_depth(r, cosine, near - goal, end, near, hero, air, fade, density)
     if kind == GROUNDED:
-        return flown(r, cosine, near + goal, end, near, hero, air, fade, density)
+        return distance_at_depth(r, cosine, near + goal, end, near, hero, air, fade, density)
     half = -r * cosine
     if goal < low - near:
-        return flown(r, cosine, near + goal, half, near, hero, air, fade, density)
-    thin(lowest - air.radius, air, fade, density)
+        return distance_at_depth(r, cosine, near + goal, half, near, hero, air, fade, density)
+    densities_at(lowest - air.radius, air, fade, density)
     goal = low - (goal - (low - near))
-    return half + flown(lowest, 0.0, goal, end - half, low, hero, air, fade, density)
+    return half + distance_at_depth(lowest, 0.0, goal, end - half, low, hero, air, fade, density)
 
 
 @jit
-def sunlight(r: float, cosine: float, fade: Any, air: Any, light: np.ndarray) -> bool:
+def sun_transmittance(r, cosine, fade, air, light):
     """Transmittance toward the sun at each wavelength into `light` (L,); False in the planet's shadow.
 
     `fade` (K,) is that of the place.
@@ -127,5 +128,5 @@ def sunlight(r: float, cosine: float, fade: Any, air: Any, light: np.ndarray) ->
         for j in range(light.shape[0]):
             light[j] -= air.depth[k, j] * column
     for j in range(light.shape[0]):
-        light[j] = exponential(light[j])
+        light[j] = exponential_double(light[j])
     return True

@@ -1,4 +1,4 @@
-"""What leads the path tracer in twilight: a coarse picture of the light in the air, by height and sun."""
+"""What guides the path tracer in twilight: coarse tables of the light in the air, by height and sun."""
 
 from typing import NamedTuple
 
@@ -15,13 +15,13 @@ class Guide(NamedTuple):
     """Tables over H heights (even in the root), S sines of the sun's elevation and 4 of the wavelengths."""
 
     share: float
-    """Of the flights, drawn by the guide; 0: no guide."""
+    """Of the flights, sampled by the guide; 0: no guide."""
     turn_share: float
     """Of the directions."""
     enough: float
-    """Roulette below this part of what the view promises."""
+    """Russian roulette below this part of the radiance expected of the view."""
     cells: int
-    """That a way is cut into."""
+    """That a segment is cut into."""
     bands: np.ndarray
     least: float
     most: float
@@ -47,13 +47,13 @@ def guide_for(air: Shells, sine: float, share: float, turn_share: float = 0.7, e
     turned = np.zeros((h, s, rows)), np.zeros((h, s, rows, turns))
     guide = Guide(share, turn_share, enough, cells, bands, sine - REACH, sine + REACH, *tables, *turned)
     if share > 0:
-        paint(air, guide, sine)
+        fill_guide(air, guide)
     return guide
 
 
-def paint(air: Shells, guide: Guide, sine: float) -> None:
+def fill_guide(air: Shells, guide: Guide) -> None:
     """Fill the guide's tables: order by order, as if air scattered alike all round."""
-    from skydome.skies.path_tracing.light_kernel import direct_light, gathered, summed_up, told
+    from skydome.skies.path_tracing.guide_tables_kernel import direct_light, fill_tables, gathered, summed_up
 
     shape = guide.multiple.shape
     direct, mean, scattering = np.zeros(shape), np.zeros(shape), np.zeros((shape[0], 4))
@@ -61,10 +61,10 @@ def paint(air: Shells, guide: Guide, sine: float) -> None:
     direct_light(air, guide, direct, scattering, np.empty(count), np.empty(count), np.empty(air.albedo.size))
     own, weight = (shape[1] - 1) // 2, np.ones(4)
     for _ in range(ORDERS):
-        told(air, guide, direct, scattering, mean)
+        fill_tables(air, guide, direct, scattering, mean)
         gathered(
             air, guide, weight, mean, np.ones(4), np.zeros((4, 4)), np.zeros(guide.cells + 1), np.zeros(guide.cells + 2)
         )
         weight = 1 / np.maximum(mean[0, own], 1e-290)
-    told(air, guide, direct, scattering, mean)
+    fill_tables(air, guide, direct, scattering, mean)
     summed_up(guide)

@@ -1,18 +1,22 @@
-"""Where paths are led in twilight: flights and directions drawn from a coarse picture of the light, by Numba.
+# mypy: allow-untyped-defs
+"""Path guiding in twilight: flights and directions sampled from a coarse table of the light in the air.
 
-A way is cut into cells; what each would send back is known roughly from a table of the light that air scatters at a
-height under a sun at an elevation. That table's errors change the noise, never the mean.
+A segment is cut into cells; the light that each scatters toward the eye is known roughly from a table of the source
+function by height and sun. That table's errors change the noise, never the mean. `guide` is a `guide.Guide`; `node`
+(2 indices) a node of its tables; `axes` (3, 3) as `frame` has them; the rest as in `flight_kernel`.
 """
 
 import math
-from typing import Any
 
+from skydome.ground.compiled import ANY_ORDER, inlined
+from skydome.ground.elementary_kernel import exponential_double
 from skydome.skies.path_tracing.flight_kernel import GROUNDED, PASSING
-from skydome.skies.path_tracing.parts_kernel import exponential, jit
+
+jit = inlined(ANY_ORDER)
 
 
 @jit
-def table_place(height: float, cos_sun: float, air: Any, guide: Any) -> Any:
+def table_place(height, cos_sun, air, guide):
     """Place in the guide's tables: along the heights, along the sun's elevations."""
     heights, suns = guide.source.shape[0], guide.source.shape[1]
     a = math.sqrt(min(max(height, 0.0) / air.top, 1.0)) * (heights - 1)
@@ -21,8 +25,8 @@ def table_place(height: float, cos_sun: float, air: Any, guide: Any) -> Any:
 
 
 @jit
-def sent(height: float, cos_sun: float, air: Any, guide: Any, table: Any, dim: Any, value: Any) -> None:
-    """Extinction, m-1, into `dim` and what a metre of air sends, sr-1 m-1, in logarithms, into `value`, each (4,)."""
+def source_at(height, cos_sun, air, guide, table, dim, value):
+    """Extinction, m-1, into `dim` and the log of the source, sr-1 m-1, of a `table` into `value`, each (4,)."""
     a, b = table_place(height, cos_sun, air, guide)
     i, j = min(int(a), table.shape[0] - 2), min(int(b), table.shape[1] - 2)
     a, b = a - i, b - j
@@ -34,9 +38,9 @@ def sent(height: float, cos_sun: float, air: Any, guide: Any, table: Any, dim: A
 
 
 @jit
-def edge(n: float, cells: int, r: float, cosine: float, line: Any, air: Any) -> Any:
-    """Distance to, and height of, edge n of `cells` cells: even in the root of the height, or along a passing way."""
-    lowest, end, kind = line
+def edge(n, cells, r, cosine, segment, air):
+    """Distance to, and height of, edge n of `cells` cells: even in the root of height, or along a passing segment."""
+    lowest, end, kind = segment
     along = r * cosine
     if kind == PASSING:
         t = n / cells * end
@@ -50,57 +54,44 @@ def edge(n: float, cells: int, r: float, cosine: float, line: Any, air: Any) -> 
 
 
 @jit
-def lay(
-    r: float,
-    cosine: float,
-    line: Any,
-    cos_sun: float,
-    toward: float,
-    air: Any,
-    guide: Any,
-    table: Any,
-    weight: Any,
-    scratch: Any,
-    edges: Any,
-    power: Any,
-) -> Any:
-    """Cut a way into cells: `edges` (M + 1,), m, running sums of what they send back into `power` (M + 2,); the sum.
+def tabulate_cells(r, cosine, segment, cos_sun, toward, air, guide, table, weight, scratch, edges, cdf):
+    """Cut a segment into cells: `edges` (M + 1,), m, running sums of their light into `cdf` (M + 2,); the sum.
 
-    The last of `power` includes the ground. `weight` (4,) is how much each of the guide's wavelengths counts;
-    `scratch` (4, 4) receives in its row 3 what each sends unweighted.
+    The last of `cdf` includes the ground. `weight` (4,) is how much each of the guide's wavelengths counts; `scratch`
+    (4, 4) receives in its row 3 the light of each, unweighted, sr-1.
     """
     cells = edges.shape[0] - 1
     dim, value, thick, sums = scratch[0], scratch[1], scratch[2], scratch[3]
     thick[:] = 0.0
     sums[:] = 0.0
-    total, power[0] = 0.0, 0.0
+    total, cdf[0] = 0.0, 0.0
     edges[0] = 0.0
     for n in range(cells):
-        edges[n + 1] = edge(n + 1.0, cells, r, cosine, line, air)[0]
-        t, height = edge(n + 0.5, cells, r, cosine, line, air)
-        sent(height, (r * cos_sun + t * toward) / (air.radius + height), air, guide, table, dim, value)
+        edges[n + 1] = edge(n + 1.0, cells, r, cosine, segment, air)[0]
+        t, height = edge(n + 0.5, cells, r, cosine, segment, air)
+        source_at(height, (r * cos_sun + t * toward) / (air.radius + height), air, guide, table, dim, value)
         step = edges[n + 1] - edges[n]
         for b in range(4):
             half = 0.5 * step * dim[b]
-            came = step * exponential(value[b] - thick[b] - half)
+            came = step * exponential_double(value[b] - thick[b] - half)
             thick[b] += 2 * half
             sums[b] += came
             total += weight[b] * came
-        power[n + 1] = total
-    if line[2] == GROUNDED:
+        cdf[n + 1] = total
+    if segment[2] == GROUNDED:
         _, place = table_place(0.0, (r * cos_sun + edges[cells] * toward) / air.radius, air, guide)
         j = min(int(place), guide.ground.shape[0] - 2)
         for b in range(4):
             light = guide.ground[j, b] + (place - j) * (guide.ground[j + 1, b] - guide.ground[j, b])
-            came = light * exponential(-thick[b])
+            came = light * exponential_double(-thick[b])
             sums[b] += came
             total += weight[b] * came
-    power[cells + 1] = total
+    cdf[cells + 1] = total
     return total
 
 
 @jit
-def below(value: float, edges: Any, cells: int) -> Any:
+def below(value, edges, cells):
     """Index of the last of the first `cells` increasing `edges` that is not above a value."""
     low, high = 0, cells
     while high - low > 1:
@@ -113,29 +104,29 @@ def below(value: float, edges: Any, cells: int) -> Any:
 
 
 @jit
-def drawn_cell(u: float, edges: Any, power: Any) -> Any:
-    """Distance drawn from the cells by u in (0, 1); -1 for the ground."""
+def sample_cell(u, edges, cdf):
+    """Distance sampled from the cells by u in (0, 1); -1 for the ground."""
     cells = edges.shape[0] - 1
-    u *= power[cells + 1]
-    if u >= power[cells]:
+    u *= cdf[cells + 1]
+    if u >= cdf[cells]:
         return -1.0
-    n = below(u, power, cells)
-    share = min((u - power[n]) / max(power[n + 1] - power[n], 1e-300), 1.0)
+    n = below(u, cdf, cells)
+    share = min((u - cdf[n]) / max(cdf[n + 1] - cdf[n], 1e-300), 1.0)
     return edges[n] + share * (edges[n + 1] - edges[n])
 
 
 @jit
-def cell_density(t: float, edges: Any, power: Any) -> Any:
-    """Density with which `drawn_cell` draws the distance t, m-1; of the ground the probability, for t < 0."""
+def cell_pdf(t, edges, cdf):
+    """Density with which `sample_cell` gives the distance t, m-1; of the ground the probability, for t < 0."""
     cells = edges.shape[0] - 1
     if t < 0:
-        return (power[cells + 1] - power[cells]) / power[cells + 1]
+        return (cdf[cells + 1] - cdf[cells]) / cdf[cells + 1]
     n = below(t, edges, cells)
-    return (power[n + 1] - power[n]) / (power[cells + 1] * (edges[n + 1] - edges[n]))
+    return (cdf[n + 1] - cdf[n]) / (cdf[cells + 1] * (edges[n + 1] - edges[n]))
 
 
 @jit
-def frame(x: Any, r: float, sun: Any, cos_sun: float, axes: Any) -> None:
+def frame(x, r, sun, cos_sun, axes):
     """Up, level toward the sun, and level across, at a place x, into the rows of `axes` (3, 3)."""
     level = 1.0 / math.sqrt(max(1 - cos_sun * cos_sun, 1e-12))
     for n in range(3):
@@ -146,14 +137,14 @@ def frame(x: Any, r: float, sun: Any, cos_sun: float, axes: Any) -> None:
 
 
 @jit
-def nearest(height: float, cos_sun: float, air: Any, guide: Any) -> Any:
+def nearest(height, cos_sun, air, guide):
     """The node of the tables of directions next to a place."""
     a, b = table_place(height, cos_sun, air, guide)
     return int(a + 0.5), int(b + 0.5)
 
 
 @jit
-def searched(u: float, sums: Any) -> Any:
+def searched(u, sums):
     """Index, and the part of it, where running sums that end at 1 pass u."""
     n = 0
     while n < sums.shape[0] - 1 and u >= sums[n]:
@@ -163,15 +154,15 @@ def searched(u: float, sums: Any) -> Any:
 
 
 @jit
-def row_cosine(n: float, rows: int) -> Any:
+def row_cosine(n, rows):
     """Cosine from the vertical at edge n of `rows` rows, which crowd at the horizon."""
     v = 2.0 * n / rows - 1.0
     return v * abs(v)
 
 
 @jit
-def led(u: float, v: float, node: Any, guide: Any, axes: Any, d: Any) -> None:
-    """A direction toward where light comes from at a node, by two numbers in (0, 1), into d."""
+def sample_direction(u, v, node, guide, axes, d):
+    """A direction sampled by the light that comes from it at a node, by u and v in (0, 1), into d."""
     sums, across = guide.rows[node[0], node[1]], guide.turns[node[0], node[1]]
     n, part = searched(u, sums)
     low, high = row_cosine(n, sums.shape[0]), row_cosine(n + 1, sums.shape[0])
@@ -186,8 +177,8 @@ def led(u: float, v: float, node: Any, guide: Any, axes: Any, d: Any) -> None:
 
 
 @jit
-def led_density(d: Any, node: Any, guide: Any, axes: Any) -> Any:
-    """Density with which `led` draws the direction d, sr-1."""
+def direction_pdf(d, node, guide, axes):
+    """Density with which `sample_direction` gives the direction d, sr-1."""
     sums, across = guide.rows[node[0], node[1]], guide.turns[node[0], node[1]]
     rows, turns = sums.shape[0], across.shape[1]
     c, a, b = 0.0, 0.0, 0.0

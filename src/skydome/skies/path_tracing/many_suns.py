@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arrays import Array
+from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.path_tracing.sky import PathTraced
+from skydome.skies.path_tracing.sky import PATHS_PER_PIECE, PathTraced
 from skydome.skies.path_tracing.tables import law_tables, shells
 from skydome.skies.validity import Range, require
 
@@ -55,7 +56,9 @@ def many_suns(
         view = np.array([np.cos(height), 0.0, np.sin(height)])
         for j in range(w.size):
             seed = sky.seed + 7919 * (e * w.size + j + 1)
-            found = hits(view, sine, suns, np.cos(radius), j, air, laws, seed, each, PARTS)
+            found = np.zeros((PARTS, 2, suns))
+            given = (view, sine, suns, np.cos(radius), j, air, laws, seed, each, found)
+            shared(hits, PARTS, PARTS * each, given, PATHS_PER_PIECE)
             mean[e, :, j], error[e, :, j] = estimate(found.sum(axis=0), each * PARTS, radius)
     sunlight = sky.atmosphere.sun_at(w)
     return Rings(rings, 2 * np.pi * np.arange(suns) / suns, mean * sunlight, error * sunlight)

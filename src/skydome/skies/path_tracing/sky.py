@@ -10,6 +10,7 @@ import numpy as np
 
 from skydome.air.rays import ColumnTable
 from skydome.ground.arrays import Array
+from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
 from skydome.light.spectrum import checked_wavelengths
@@ -20,9 +21,12 @@ from skydome.skies.physical.nishita import scattered_once
 from skydome.skies.validity import Range, require
 
 GUIDED_BELOW = 3.0
-"""Elevation of the sun, degrees, below which paths are led by a guide: from there on it is worth what it costs."""
+"""Elevation of the sun, degrees, below which paths are guided: from there on it is worth what it costs."""
 
 ALL_ORDERS = 1000
+
+PATHS_PER_PIECE = 64
+"""That are worth a thread's while."""
 
 PATHS = 2
 """Counted up whenever a seed comes to mean other paths, which are not to be mixed in one tracing."""
@@ -150,29 +154,31 @@ class TracingJob:
 
     @cached_property
     def tables(self) -> tuple[Any, ...]:
-        """The atmosphere, its phase laws and what leads the paths, as the kernel reads them."""
+        """The atmosphere, its phase laws and what guides the paths, as the kernel reads them."""
         air, sky = self.sky.atmosphere, self.sky
         geometry = shells(air, self.wavelengths)
         return geometry, law_tables(air, self.wavelengths), guide_for(geometry, float(sky.sun[2]), sky.guide_share)
 
     def one_pass(self, number: int) -> Array:
         """The mean of one pass's paths, sr-1, (D, W)."""
-        from skydome.skies.path_tracing.loop_kernel import trace_all
+        from skydome.skies.path_tracing.loop_kernel import trace_views
 
         sky = self.sky
         sun, views = np.asarray(sky.sun, dtype=np.float64), np.ascontiguousarray(self.directions, dtype=np.float64)
         paths = sky.paths_per_pass * self.wavelengths.size
         choices = sky.orders, sky.roulette, sky.exact_first, sky.seed, number, paths
-        light: np.ndarray = trace_all(views, sun, *self.tables, *choices)[:, : self.wavelengths.size]
-        return light
+        light = np.empty((len(views), self.tables[0].albedo.size))
+        given = (views, sun, *self.tables, *choices, light)
+        shared(trace_views, len(views), len(views) * paths, given, PATHS_PER_PIECE)
+        return light[:, : self.wavelengths.size]
 
     def fingerprint(self) -> str:
         """A hash of everything that the result depends on but the passes."""
         from hashlib import sha256
 
-        told = repr(replace(self.sky, sun=tuple(np.asarray(self.sky.sun).tolist())).parameters())
+        described = repr(replace(self.sky, sun=tuple(np.asarray(self.sky.sun).tolist())).parameters())
         data = self.directions.tobytes() + self.wavelengths.tobytes() + repr(self.sky.atmosphere).encode()
-        return sha256(f"{told} {PATHS}".encode() + data).hexdigest()
+        return sha256(f"{described} {PATHS}".encode() + data).hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +186,7 @@ class PathTraced(AtmosphereSky):
     """The sky of an `atmosphere` by path tracing, to a `relative_error` (the median standard error) of each call.
 
     `orders` stops paths after so many scatterings; `exact_first` takes the first by quadrature. A share `guide` of the
-    flights is led to where light is scattered (None: 0.8 for suns below 3 degrees, else 0), which changes the noise
+    flights is guided to where light is scattered (None: 0.8 for suns below 3 degrees, else 0), which changes the noise
     and never the mean. The same `seed` gives the same light whatever the threads. Errors: Monte Carlo's, given by
     `job(...)`; Kocifaj's columns, below 0.3 %. No polarisation. Needs the extra `fast` (numba).
 
@@ -210,7 +216,7 @@ class PathTraced(AtmosphereSky):
 
     @property
     def guide_share(self) -> float:
-        """Share of the flights led by the guide."""
+        """Share of the flights that the guide samples."""
         if self.guide is not None:
             return self.guide
         return 0.8 if float(self.sun[2]) < np.sin(np.radians(GUIDED_BELOW)) else 0.0

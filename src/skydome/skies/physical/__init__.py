@@ -4,6 +4,7 @@
 - choice              The default physical sky, discrete ordinates for a high sun
 - discrete_ordinates  The physical sky by discrete ordinates, multiple scattering in layers of air
 - layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form
+- cosine_series       Light over half a sky as cubics in height and a cosine series in azimuth
 - nishita             Nishita's skies: light scattered once or once and twice in spherical shells of air
 - held                A physical sky's colours, computed once on a row of nodes and then known at every direction
 - held_tracing        A traced sky held in a table

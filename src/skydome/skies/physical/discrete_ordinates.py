@@ -16,16 +16,16 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
+from skydome.ground.interpolation import lagrange_about
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
+from skydome.skies.physical.cosine_series import LEAST_COSINE, cosine_transform, geometry, position, view_nodes
 from skydome.skies.physical.layers import Layers, layered
 from skydome.skies.validity import Range, require
 from skydome.sun.day import is_day
 
 VIEWS = 512
 """Directions at a time: what is held of them stays in the processor's cache."""
-LEAST_COSINE = 1e-3
-"""Least cosine of a zenith angle, of view or sun, that plane-parallel layers are asked for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,13 +84,6 @@ def across(index: tuple[int, ...], own: tuple[int, ...], shape: tuple[int, ...])
     return padded + tuple(k if size > 1 else slice(None) for k, size in zip(index, own, strict=True))
 
 
-def geometry(directions: np.ndarray, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Cosine of the view's zenith angle, azimuth from the sun in [0, pi], and cosine of the angle to the sun, (D,)."""
-    level = directions[:, :2] @ sun[:2]
-    cross = directions[:, 0] * sun[1] - directions[:, 1] * sun[0]
-    return np.maximum(directions[:, 2], LEAST_COSINE), np.arctan2(np.abs(cross), level), directions @ sun
-
-
 @dataclass(frozen=True, eq=False)
 class Solution:
     """The sky of one sun: layers, and the multiply scattered light as a cosine series over a row of view angles."""
@@ -115,7 +108,7 @@ class Solution:
 
     def radiance(self, cosine: np.ndarray, relative: np.ndarray, angle: np.ndarray) -> Array:
         """Single and multiple scattering together, sr-1, shape (D, W)."""
-        nodes, weights = cubic(len(self.series), position(cosine))
+        nodes, weights = lagrange_about(len(self.series), position(cosine))
         waves = np.cos(relative[:, None] * np.arange(self.series.shape[1]))
         hats = np.zeros((len(cosine), len(self.series), 1))
         np.put_along_axis(hats, nodes[..., None], weights[..., None], axis=1)
@@ -132,35 +125,6 @@ def usable_streams(cos_sun: float, streams: int) -> int:
         return float(np.min(np.abs(nodes - cos_sun)))
 
     return next((n for n in (streams, streams + 2, streams + 4) if distance(n) > 1e-4), streams)
-
-
-def view_nodes(streams: int) -> Array:
-    """Cosines of view zenith angles, (24 or more,), even in `position`."""
-    s = np.linspace(0, 1, max(24, streams + 8))
-    return np.cos(np.arccos(LEAST_COSINE) * (1 - s**2))
-
-
-def position(cosine: np.ndarray) -> Array:
-    """A measure of the view from 0 at the horizon to 1 at the zenith that crowds at the horizon, (D,)."""
-    result: np.ndarray = np.sqrt(np.maximum(1 - np.arccos(np.minimum(cosine, 1.0)) / np.arccos(LEAST_COSINE), 0.0))
-    return result
-
-
-def cosine_transform(streams: int) -> Array:
-    """From values at streams + 1 azimuths, ends included, to cosine coefficients, (terms, azimuths)."""
-    k = np.arange(streams + 1)
-    weight = np.where((k == 0) | (k == streams), 0.5, 1.0)
-    matrix = 2 / streams * np.cos(np.pi * np.outer(k, k) / streams) * weight
-    return matrix * weight[:, None]
-
-
-def cubic(count: int, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Indices and Lagrange weights, each (D, 4), of the four of `count` even nodes on [0, 1] about each x."""
-    place = x * (count - 1)
-    first = np.clip(np.floor(place).astype(int) - 1, 0, count - 4)
-    t = place - first
-    weights = [-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2]
-    return first[:, None] + np.arange(4), np.stack([*weights, t * (t - 1) * (t - 2) / 6], axis=-1)
 
 
 def solved(

@@ -14,9 +14,11 @@ from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, direction
+from skydome.ground.interpolation import weights
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
-from skydome.skies.physical.discrete_ordinates import cosine_transform, cubic, geometry, position, view_nodes
+from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
+from skydome.skies.physical.nishita import lit_columns
 from skydome.skies.sky import ColourSky, SpectralSky, SunlitSky
 
 TERMS = 24
@@ -85,16 +87,6 @@ class HeldSky(SunlitSky, ColourSky):
         return np.maximum(light, 0.0)
 
 
-def interpolated(series: np.ndarray, cosine: np.ndarray, relative: np.ndarray) -> Array:
-    """A table's values (D, ...) at view cosines and azimuths (D,): cubics in the view, a cosine series in azimuth."""
-    nodes, weights = cubic(len(series), position(cosine))
-    waves = np.cos(relative[:, None] * np.arange(series.shape[1]))
-    flat = series.reshape(*series.shape[:2], -1)
-    total = sum(weights[:, k, None] * np.einsum("dm,dmf->df", waves, flat[nodes[:, k]]) for k in range(4))
-    result: np.ndarray = np.asarray(total).reshape(len(cosine), *series.shape[2:])
-    return result
-
-
 def node_directions(sun: np.ndarray) -> np.ndarray:
     """Directions (nodes x azimuths, 3) whose light `held` asks for: half the sky, which is symmetric about the sun."""
     cosines, azimuths = view_nodes(TERMS), np.linspace(0, np.pi, TERMS + 1)
@@ -129,7 +121,7 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
 def colours_of(air: Atmosphere, wavelengths: np.ndarray) -> np.ndarray:
     """CIE XYZ of light (W,) for a sun of irradiance 1, linear between wavelengths, under the true sun: (W, 3)."""
     fine = SpectralSky.bands
-    between = np.array([np.interp(fine, wavelengths, row) for row in np.eye(len(wavelengths))])
+    between = weights(wavelengths, np.clip(fine, wavelengths[0], wavelengths[-1])).T
     result: np.ndarray = (between * air.sun_at(fine)) @ xyz_weights(fine)
     return result
 
@@ -157,13 +149,10 @@ def mixture(law: PhaseLaw, wavelengths: np.ndarray) -> np.ndarray:
 def strengths(air: Atmosphere, views: np.ndarray, sun: np.ndarray, wavelengths: np.ndarray) -> Array:
     """What each constituent scatters once toward the ground along views (D, 3), per phase function, (shapes, D, W)."""
     table = ColumnTable.of(air)
-    path = rays(air, np.full(len(views), air.radius), np.maximum(views[:, 2], 0.0))
-    local = (air.radius * sun[2] + path.distance * (views @ sun)[:, None]) / (air.radius + path.height)
-    column, blocked = table.look_up(path.height, np.clip(local, -1.0, 1.0))
+    radius = np.full(len(views), air.radius)
+    path = rays(air, radius, np.maximum(views[:, 2], 0.0))
     depths = np.stack([part.depth(wavelengths) for part in air.constituents])
-    lit = np.exp(-np.einsum("kns,kw->nsw", column + path.column, depths, optimize=True))
-    lit *= np.where(blocked, 0.0, path.step)[:, :, None]
     scattering = depths * np.stack([part.scattered(wavelengths) for part in air.constituents])
-    found: np.ndarray = np.einsum("kns,nsw->knw", path.density, lit, optimize=True) * scattering[:, None, :]
+    found = np.moveaxis(lit_columns(table, path, radius, sun[2], views @ sun, depths) * scattering, 1, 0)
     laws = [part.phase_law for part in air.constituents]
     return np.concatenate([mixture(law, wavelengths)[:, None, :] * one for law, one in zip(laws, found, strict=True)])

@@ -16,10 +16,12 @@ import numpy as np
 from skydome.air.rays import ColumnTable, Rays, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
+from skydome.ground.interpolation import weights
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
-from skydome.skies.physical.discrete_ordinates import across, cosine_transform, cubic, geometry, position, view_nodes
+from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
+from skydome.skies.physical.discrete_ordinates import across
 from skydome.skies.validity import Range, require
 from skydome.sun.day import is_day
 
@@ -97,10 +99,7 @@ class Nishita96(Nishita93):
         for start in range(0, len(views), CHUNK):
             part = slice(start, start + CHUNK)
             cosine, relative, _ = geometry(views[part], sun)
-            nodes, weights = cubic(len(series), position(cosine))
-            waves = np.cos(relative[:, None] * np.arange(terms + 1))
-            for k in range(4):
-                once[part] += weights[:, k, None] * np.einsum("dm,dmw->dw", waves, series[nodes[:, k]])
+            once[part] += interpolated(series, cosine, relative)
         return np.maximum(once, 0.0)
 
 
@@ -158,11 +157,7 @@ def scattered_twice(
     path = rays(air, np.full(len(views), air.radius), views[:, 2])
     depths = np.stack([part.depth(wavelengths) for part in air.constituents])
     through = np.exp(-np.einsum("kns,kw->nsw", path.column, depths)) * path.step[:, :, None]
-    right = np.clip(np.searchsorted(heights, path.height), 1, len(heights) - 1)
-    share = (path.height - heights[right - 1]) / (heights[right] - heights[right - 1])
-    hats = np.zeros((*path.height.shape, len(heights)))
-    np.put_along_axis(hats, right[..., None], share[..., None], axis=-1)
-    np.put_along_axis(hats, right[..., None] - 1, 1 - share[..., None], axis=-1)
+    hats = weights(heights, path.height)
     total = np.zeros((len(views), wavelengths.size))
     angle = np.clip(views @ around.T, -1.0, 1.0)
     for part, density, depth in zip(air.constituents, path.density, depths, strict=True):

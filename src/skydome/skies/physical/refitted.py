@@ -9,6 +9,7 @@ import numpy as np
 from skydome.air.cross_sections import solar_irradiance
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
+from skydome.ground.interpolation import cells, weights
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
 from skydome.skies.sky import SpectralSky, SunlitSky
@@ -74,19 +75,17 @@ class Refitted(SunlitSky, SpectralSky):
         if w[0] < known[0] or w[-1] > known[-1]:
             raise ValueError(f"wavelengths must lie in [{known[0]:g}, {known[-1]:g}] nm, got {w[0]:g} to {w[-1]:g}")
         light = np.log(np.maximum(self.transfer(directions, sun), 1e-12))
-        right = np.clip(np.searchsorted(known, w), 1, known.size - 1)
-        share = (w - known[right - 1]) / (known[right] - known[right - 1])
-        between = np.exp(light[..., right - 1] * (1 - share) + light[..., right] * share)
+        between = np.exp(light @ weights(known, w).T)
         return self.blanked(between * solar_irradiance(w) * self.numbers.sun_scale, directions)
 
     def transfer(self, directions: np.ndarray, sun: np.ndarray) -> Array:
         """Light for a sun of irradiance 1 at the wavelengths fitted, sr-1, shape (..., W)."""
         heights = self.numbers.elevations
         place = np.clip(elevation(sun), heights[0], heights[-1])
-        upper = np.clip(np.searchsorted(heights, place), 1, heights.size - 1)
-        share = ((place - heights[upper - 1]) / (heights[upper] - heights[upper - 1]))[..., None]
+        lower, share = cells(heights, place)
+        share = share[..., None]
         cosine, angle = view_geometry(directions, sun)
         low, high = (
-            evaluate(self.numbers.coefficients[k], cosine, angle, OFFSET, floor=OFFSET) for k in (upper - 1, upper)
+            evaluate(self.numbers.coefficients[k], cosine, angle, OFFSET, floor=OFFSET) for k in (lower, lower + 1)
         )
         return low * (1 - share) + high * share

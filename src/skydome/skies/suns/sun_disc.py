@@ -22,9 +22,10 @@ from skydome.ground.arrays import (
     settled,
 )
 from skydome.ground.directions import angle_between, checked_directions, elevation, tangent_frame
+from skydome.ground.interpolation import weights
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
-from skydome.skies.hosek_wilkie import band_weights, turbidity_weights
+from skydome.skies.hosek_wilkie import TURBIDITIES, band_weights
 from skydome.skies.sky import Sky, SpectralSky, SunlitSky
 from skydome.skies.validity import Range
 from skydome.sun.position import SOLAR_RADIUS_AT_1_AU
@@ -50,7 +51,7 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
     cubic = table[xp.astype(piece, xp.int32)[..., None]][..., 0, :, :, :]  # a lone index would leave its device
     x = x[..., None, None]
     bands = ((cubic[..., 3] * x + cubic[..., 2]) * x + cubic[..., 1]) * x + cubic[..., 0]
-    return xp.sum(bands * turbidity_weights(turbidity)[..., None], axis=-2)
+    return xp.sum(bands * weights(TURBIDITIES, turbidity)[..., None], axis=-2)
 
 
 @settled

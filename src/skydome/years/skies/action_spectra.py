@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.interpolation import weights
 from skydome.light.spectrum import checked_wavelengths
 
 MELANOPIC_EFFICACY_OF_DAYLIGHT = 1.32736e-3
@@ -40,12 +41,7 @@ def integrated(spectrum: Any, wavelengths: Any, action: Any, edges: tuple[float,
         raise ValueError(f"wavelengths must cover part of {edges[0]:g}-{edges[1]:g} nm, got {w[0]:g}-{w[-1]:g}")
     weight = np.gradient(fine) * action(fine)
     weight[[0, -1]] /= 2
-    right = np.clip(np.searchsorted(w, fine), 1, w.size - 1)
-    part = (fine - w[right - 1]) / (w[right] - w[right - 1])
-    weights = np.zeros(w.size)
-    np.add.at(weights, right - 1, weight * (1 - part))
-    np.add.at(weights, right, weight * part)
-    result: np.ndarray = np.asarray(spectrum) @ weights
+    result: np.ndarray = np.asarray(spectrum) @ (weight @ weights(w, fine))
     return result
 
 

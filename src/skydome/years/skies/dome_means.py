@@ -1,11 +1,11 @@
 """Means of many Perez skies over the dome's patches, levelled so that the patches together give the light asked for."""
 
-from importlib.util import find_spec
 from typing import NamedTuple
 
 import numpy as np
 
 from skydome.dome.patches import Patches
+from skydome.ground.compiled import has_numba, shared
 from skydome.ground.directions import half_chord_squared
 from skydome.skies.formula.perez_formula import evaluate, from_perez
 
@@ -26,7 +26,7 @@ class PerezSkies(NamedTuple):
     floor: float
 
 
-class Samples(NamedTuple):
+class PatchSamples(NamedTuple):
     """Where patches are sampled: everywhere (S, N, 3); finely (N, F, 3) with weights (F,) where cos g > `near`."""
 
     coarse: np.ndarray
@@ -35,14 +35,14 @@ class Samples(NamedTuple):
     near: float
 
 
-def samples_of(patches: Patches, centres: bool = False) -> Samples:
+def samples_of(patches: Patches, centres: bool = False) -> PatchSamples:
     """The samples of true means, or the patches' centres alone."""
     if centres:
-        return Samples(patches.directions[None], np.zeros((patches.count, 0, 3)), np.zeros(0), 2.0)
+        return PatchSamples(patches.directions[None], np.zeros((patches.count, 0, 3)), np.zeros(0), 2.0)
     coarse, _ = patches.samples(2, 2)
     fine, weights = patches.samples(FINE, FINE)
     height = float(patches.edges[1])
-    return Samples(coarse.transpose(1, 0, 2), fine, weights[0], float(np.cos(min(NEAR_STEPS * height, np.pi / 3))))
+    return PatchSamples(coarse.transpose(1, 0, 2), fine, weights[0], float(np.cos(min(NEAR_STEPS * height, np.pi / 3))))
 
 
 def dome_means(
@@ -63,10 +63,9 @@ def dome_means(
     weights = patches.horizontal_solid_angles if weights is None else weights
     rows = np.arange(len(targets)) if rows is None else rows
     out = np.zeros((len(targets), patches.count), np.float32) if out is None else out
-    if find_spec("numba") is None:
+    if not has_numba():
         by_numpy(skies, targets, samples, weights, rows, out)
         return out
-    from skydome.skies.formula.fast import shared
     from skydome.years.skies.dome_means_kernel import means_of_many_skies
 
     first = patches.starts
@@ -88,15 +87,17 @@ def dome_means(
         out,
     )
 
-    def some(start: int, stop: int) -> None:
-        means_of_many_skies(start, stop, *given)
-
-    shared(some, len(targets), len(targets) * patches.count * len(samples.coarse))
+    shared(means_of_many_skies, len(targets), len(targets) * patches.count * len(samples.coarse), given)
     return out
 
 
 def by_numpy(
-    skies: PerezSkies, targets: np.ndarray, samples: Samples, weights: np.ndarray, rows: np.ndarray, out: np.ndarray
+    skies: PerezSkies,
+    targets: np.ndarray,
+    samples: PatchSamples,
+    weights: np.ndarray,
+    rows: np.ndarray,
+    out: np.ndarray,
 ) -> None:
     """The same by `perez_formula.evaluate`, in float64, some hours at a time."""
     for k in range(0, len(targets), CHUNK):

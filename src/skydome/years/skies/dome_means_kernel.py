@@ -1,3 +1,4 @@
+# mypy: allow-untyped-defs
 """Means of many Perez skies over the dome's patches, compiled: the fast form of `dome_means`, tested against it.
 
 For each sky: the gradation once a row and sample, the angle to the sun and the indicatrix in one flat loop over the
@@ -6,27 +7,54 @@ range of skies, so that threads share the work.
 """
 
 import numpy as np
-from numba import njit
 
-from skydome.skies.formula.kernel import angle, power_less
+from skydome.ground.compiled import ANY_ORDER, job, piece
+from skydome.ground.elementary_kernel import HALF, LOG2_E, ONE, TWO, ZERO, real
+from skydome.skies.formula.nine_numbers_kernel import angle, glow, gradation
 
-real = np.float32
-ZERO, HALF, ONE, TWO = real(0.0), real(0.5), real(1.0), real(2.0)
-LEAST = real(-120.0)
-LOG2_E = real(np.log2(np.e))
-CHOICES = {"nogil": True, "fastmath": {"contract", "nsz", "arcp", "reassoc"}, "error_model": "numpy"}
+compiled, part = job(ANY_ORDER), piece(ANY_ORDER)
 
 
-def compiled(function):  # type: ignore[no-untyped-def]
-    """`function` by Numba kept on disk where a folder can be written to."""
-    try:
-        return njit(cache=True, **CHOICES)(function)
-    except RuntimeError:  # no folder for the cache
-        return njit(**CHOICES)(function)
+@part
+def half_chord(x, y, z, sun):
+    """1 - cos g of the direction x, y, z and a sun (3,)."""
+    dx, dy, dz = x - sun[0], y - sun[1], z - sun[2]
+    return HALF * (dx * dx + dy * dy + dz * dz)
+
+
+@part
+def coarse_means(letters, sun, samples, starts, over, grade, row):
+    """Means of S samples of every patch of one sky, relative, into `row` (N,); `grade` (N,): scratch."""
+    sets, share = samples.shape[0], ONE / real(samples.shape[0])
+    a, b, c, d, e = letters[0], letters[1] * LOG2_E, letters[2], letters[3] * LOG2_E, letters[4]
+    for s in range(sets):
+        x, y, z = samples[s, 0], samples[s, 1], samples[s, 2]
+        for r in range(over.shape[1]):
+            value = gradation(over[s, r], ONE, a, b, ZERO) * share
+            for i in range(starts[r], starts[r + 1]):
+                grade[i] = value
+        for i in range(row.size):
+            u = half_chord(x[i], y[i], z[i], sun)
+            light = grade[i] * glow(u, angle(u, TWO - u), ONE, c, d, e, ZERO)
+            light = light if light > ZERO else ZERO
+            row[i] = light if s == 0 else row[i] + light
+
+
+@part
+def fine_mean(letters, sun, toward, over, weights):
+    """The weighted mean of one sky over fine samples of a patch, relative: `toward` (3, F), `over`, `weights` (F,)."""
+    a, b, c, d, e = letters[0], letters[1] * LOG2_E, letters[2], letters[3] * LOG2_E, letters[4]
+    x, y, z = toward[0], toward[1], toward[2]
+    mean = ZERO
+    for f in range(weights.size):
+        u = half_chord(x[f], y[f], z[f], sun)
+        light = glow(u, angle(u, TWO - u), ONE, c, d, e, ZERO) * gradation(over[f], ONE, a, b, ZERO)
+        mean += weights[f] * (light if light > ZERO else ZERO)
+    return mean
 
 
 @compiled
-def means_of_many_skies(  # type: ignore[no-untyped-def]
+def means_of_many_skies(
     first, last, letters, suns, targets, samples, starts, over, fine, fine_over, fine_weights, near, weights, lit, out
 ):
     """Write the patch means of skies first...last of K into rows `lit` (K,) of `out` (T, N).
@@ -36,40 +64,14 @@ def means_of_many_skies(  # type: ignore[no-untyped-def]
     `fine` (N, 3, F) with 1 / cos t of it (N, F) and weights (F,), F = 0 for none: samples of the zenith's patch and of
     those nearer to the sun than 1 - cos g = `near`.
     """
-    count, sets, rows, finer = out.shape[1], samples.shape[0], over.shape[1], fine.shape[2]
-    share = ONE / real(sets)
-    grade = np.empty(count, np.float32)
+    count, grade = out.shape[1], np.empty(out.shape[1], np.float32)
     for k in range(first, last):
-        row = out[lit[k]]
-        a, b, c, d, e = letters[k, 0], letters[k, 1] * LOG2_E, letters[k, 2], letters[k, 3] * LOG2_E, letters[k, 4]
-        sx, sy, sz = suns[k, 0], suns[k, 1], suns[k, 2]
-        for s in range(sets):
-            x, y, z = samples[s, 0], samples[s, 1], samples[s, 2]
-            for r in range(rows):
-                value = (ONE + a * power_less(max(b * over[s, r], LEAST), ZERO)) * share
-                for i in range(starts[r], starts[r + 1]):
-                    grade[i] = value
+        row, sun = out[lit[k]], suns[k]
+        coarse_means(letters[k], sun, samples, starts, over, grade, row)
+        if fine_weights.size:
             for i in range(count):
-                dx, dy, dz = x[i] - sx, y[i] - sy, z[i] - sz
-                u = HALF * (dx * dx + dy * dy + dz * dz)
-                cosine = ONE - u
-                light = grade[i] * (ONE + c * power_less(d * angle(u, TWO - u), ZERO) + e * cosine * cosine)
-                light = light if light > ZERO else ZERO
-                row[i] = light if s == 0 else row[i] + light
-        if finer:
-            for i in range(count):
-                dx, dy, dz = samples[0, 0, i] - sx, samples[0, 1, i] - sy, samples[0, 2, i] - sz
-                if i == count - 1 or HALF * (dx * dx + dy * dy + dz * dz) < near:
-                    px, py, pz, quotient = fine[i, 0], fine[i, 1], fine[i, 2], fine_over[i]
-                    mean = ZERO
-                    for f in range(finer):
-                        dx, dy, dz = px[f] - sx, py[f] - sy, pz[f] - sz
-                        u = HALF * (dx * dx + dy * dy + dz * dz)
-                        cosine = ONE - u
-                        light = ONE + c * power_less(d * angle(u, TWO - u), ZERO) + e * cosine * cosine
-                        light *= ONE + a * power_less(max(b * quotient[f], LEAST), ZERO)
-                        mean += fine_weights[f] * (light if light > ZERO else ZERO)
-                    row[i] = mean
+                if i == count - 1 or half_chord(samples[0, 0, i], samples[0, 1, i], samples[0, 2, i], sun) < near:
+                    row[i] = fine_mean(letters[k], sun, fine[i], fine_over[i], fine_weights)
         total = ZERO
         for i in range(count):
             total += row[i] * weights[i]

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.ground.interpolation import lagrange
 from skydome.sun.day import is_day
 from skydome.sun.place import Place
 from skydome.sun.position import earth_sun_distance, local_axes, sun_direction
@@ -48,13 +49,7 @@ class SunTrack:
         """Unit vectors (..., 3) in the earth's axes (longitude 0, longitude 90 east, north) at seconds since 1970."""
         days = (seconds - self.first) / DAY
         before = np.clip(np.floor(days).astype(np.int64), 1, len(self.slow) - 3)
-        x = days - before
-        weights = (
-            -x * (x - 1) * (x - 2) / 6,
-            (x * x - 1) * (x - 2) / 2,
-            -x * (x + 1) * (x - 2) / 2,
-            x * (x * x - 1) / 6,
-        )
+        weights = lagrange(days - (before - 1))
         x, y, z = (
             sum(w * column[before + k] for k, w in zip((-1, 0, 1, 2), weights, strict=True)) for column in self.slow.T
         )

@@ -1,20 +1,26 @@
-"""The coarse picture of the light in the air that paths are led by in twilight, compiled by Numba."""
+# mypy: allow-untyped-defs
+"""The tables that guide paths in twilight: light in the air by height and sun, order by order.
+
+`direct`, `mean` (H, S, 4): sunlight and the mean radiance from all around; `scattering` (H, 4), m-1.
+"""
 
 import math
-from typing import Any
 
-from skydome.skies.path_tracing.flight_kernel import sunlight, way
-from skydome.skies.path_tracing.guide_kernel import lay, row_cosine
-from skydome.skies.path_tracing.parts_kernel import jit, thin
+from skydome.ground.compiled import ANY_ORDER, inlined
+from skydome.skies.path_tracing.air_kernel import densities_at
+from skydome.skies.path_tracing.flight_kernel import segment_of, sun_transmittance
+from skydome.skies.path_tracing.guide_kernel import row_cosine, tabulate_cells
+
+jit = inlined(ANY_ORDER)
 
 
 @jit
-def direct_light(air: Any, guide: Any, direct: Any, scattering: Any, fade: Any, density: Any, light: Any) -> None:
+def direct_light(air, guide, direct, scattering, fade, density, light):
     """Sunlight (H, S, 4) and scattering (H, 4), and the guide's extinction (H, 4), at its heights and suns."""
     heights, suns, _ = direct.shape
     for i in range(heights):
         height = air.top * (i / (heights - 1)) ** 2
-        thin(height, air, fade, density)
+        densities_at(height, air, fade, density)
         for n in range(4):
             scattering[i, n], guide.extinction[i, n] = 0.0, 0.0
             for k in range(air.rates.size):
@@ -22,13 +28,13 @@ def direct_light(air: Any, guide: Any, direct: Any, scattering: Any, fade: Any, 
                 guide.extinction[i, n] += air.depth[k, guide.bands[n]] * density[k]
         for j in range(suns):
             sine = guide.least + (guide.most - guide.least) * j / (suns - 1)
-            lit = sunlight(air.radius + height, sine, fade, air, light)
+            lit = sun_transmittance(air.radius + height, sine, fade, air, light)
             for n in range(4):
                 direct[i, j, n] = light[guide.bands[n]] if lit else 0.0
 
 
 @jit
-def told(air: Any, guide: Any, direct: Any, scattering: Any, mean: Any) -> None:
+def fill_tables(air, guide, direct, scattering, mean):
     """The guide's tables from the mean radiance (H, S, 4) that comes from all around."""
     heights, suns, _ = direct.shape
     for i in range(heights):
@@ -46,7 +52,7 @@ def told(air: Any, guide: Any, direct: Any, scattering: Any, mean: Any) -> None:
 
 
 @jit
-def gathered(air: Any, guide: Any, weight: Any, mean: Any, equal: Any, scratch: Any, edges: Any, power: Any) -> None:
+def gathered(air, guide, weight, mean, equal, scratch, edges, cdf):
     """One more order: mean radiance (H, S, 4) from all around, and the guide's directions as radiance by `weight`."""
     heights, suns, rows, turns = guide.turns.shape
     for i in range(heights):
@@ -57,11 +63,13 @@ def gathered(air: Any, guide: Any, weight: Any, mean: Any, equal: Any, scratch: 
             for a in range(rows):
                 cosine = 0.5 * (row_cosine(a, rows) + row_cosine(a + 1, rows))
                 part = (row_cosine(a + 1, rows) - row_cosine(a, rows)) / (2 * turns)
-                path = way(r, cosine, air)
+                segment = segment_of(r, cosine, air)
                 for b in range(turns):
                     level = math.sqrt((1 - cosine**2) * (1 - sine**2)) * math.cos(math.pi * (b + 0.5) / turns)
                     toward = cosine * sine + level
-                    lay(r, cosine, path, sine, toward, air, guide, guide.source, equal, scratch, edges, power)
+                    tabulate_cells(
+                        r, cosine, segment, sine, toward, air, guide, guide.source, equal, scratch, edges, cdf
+                    )
                     guide.turns[i, j, a, b] = 0.0
                     for n in range(4):
                         mean[i, j, n] += part * scratch[3, n]
@@ -69,7 +77,7 @@ def gathered(air: Any, guide: Any, weight: Any, mean: Any, equal: Any, scratch: 
 
 
 @jit
-def summed_up(guide: Any) -> None:
+def summed_up(guide):
     """The guide's directions from shares of the light to running sums."""
     heights, suns, rows, turns = guide.turns.shape
     for i in range(heights):

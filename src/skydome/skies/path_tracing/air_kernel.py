@@ -1,77 +1,21 @@
-"""Parts of the path tracer, compiled by Numba: random numbers, columns and densities, phase functions, directions.
+# mypy: allow-untyped-defs
+"""The air as the path tracer sees it: columns and densities, phase functions, directions turned.
 
-Random numbers are a hash of (seed, pass, direction, path, place): the same whatever the threads.
+`air` is a `tables.Shells` of K constituents at L wavelengths, `laws` a `tables.Laws`; k is a constituent's index, `r` a
+radius and `height` a height, m; `fade`, `density` (K,) are those of a place, as `densities_at` has them.
 """
 
 import math
-from typing import Any
 
-import numba as nb
-import numpy as np
-from numba.core.options import DefaultOptions
+from skydome.ground.compiled import ANY_ORDER, inlined
+from skydome.ground.elementary_kernel import exponential_double
 
-GOLDEN = np.uint64(0x9E3779B97F4A7C15)
-FAST = {"contract", "reassoc", "nsz", "arcp"}
+jit = inlined(ANY_ORDER)
 ROOT_PI = math.sqrt(math.pi)
-UNCOUNTED = {
-    name: value for name, value in {"forceinline": True, "_nrt": False}.items() if hasattr(DefaultOptions, name)
-}
-"""Numba's options, where it has them, that leave out calls and the counting of references to arrays."""
-
-
-def compiled(function: Any, **options: Any) -> Any:
-    """`function` compiled, kept on disk where a folder can be written to."""
-    try:
-        return nb.njit(cache=True, error_model="numpy", fastmath=FAST, **options)(function)
-    except RuntimeError:  # no folder for the cache
-        return nb.njit(error_model="numpy", fastmath=FAST, **options)(function)
-
-
-def jit(function: Any) -> Any:
-    """`function` compiled into its caller. It must not make arrays: references to them are not counted.
-
-    Counting them (Numba's habit, here switched off where it can be) took almost half of the time.
-    """
-    return compiled(function, nogil=True, **UNCOUNTED)
-
-
-def jit_making_arrays(function: Any) -> Any:
-    """`function` compiled as usual."""
-    return compiled(function, nogil=True)
-
-
-def jit_parallel(function: Any) -> Any:
-    """`function` compiled, its outer loop shared by threads; it may make arrays."""
-    return compiled(function, parallel=True)
 
 
 @jit
-def mixed(x: Any) -> Any:
-    """64 bits stirred (Steele et al. 2014, splitmix64)."""
-    x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-    x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-    return x ^ (x >> np.uint64(31))
-
-
-@jit
-def uniform(key: np.uint64, place: int) -> Any:
-    """A number in (0, 1) for a place in a path."""
-    return (float(mixed(key + GOLDEN * np.uint64(place + 1)) >> np.uint64(11)) + 0.5) * (1.0 / 9007199254740992.0)
-
-
-@jit
-def exponential(x: float) -> Any:
-    """exp(x) for x in (-700, 700) within 2e-10, 0 below: without a branch, so that loops over it run in vectors."""
-    bounded = max(x, -700.0)
-    n = math.floor(bounded * 1.4426950408889634 + 0.5)
-    r = (bounded - n * 0.6931471803691238) - n * 1.9082149292705877e-10
-    p = 1 / 24 + r * (1 / 120 + r * (1 / 720 + r * (1 / 5040 + r * (1 / 40320))))
-    p = 1.0 + r * (1.0 + r * (0.5 + r * (1 / 6 + r * p)))
-    return p * np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
-
-
-@jit
-def scaled_erfc(z: float) -> Any:
+def scaled_erfc(z):
     """exp(z^2) erfc(z) for z >= 0, within 5e-9: a polynomial in (z - 3) / (z + 3), as Shepherd and Laframboise 1981."""
     below = 1.0 / ((z + 3.0) * (1.0 + 2.0 * z))
     t = (z - 3.0) * (1.0 + 2.0 * z) * below
@@ -82,7 +26,7 @@ def scaled_erfc(z: float) -> Any:
 
 
 @jit
-def chapman(x: float, cosine: float) -> Any:
+def chapman(x, cosine):
     """Slant over vertical column of an exponential shell of radius x scale heights, cosine >= 0 (Kocifaj 1996)."""
     root = math.sqrt(0.5 * x)
     tail = scaled_erfc(root * cosine)
@@ -90,8 +34,8 @@ def chapman(x: float, cosine: float) -> Any:
 
 
 @jit
-def column_out(k: int, r: float, cosine: float, fade: float, air: Any) -> Any:
-    """Column of k from radius r out to space at a cosine >= 0, in vertical columns; `fade` as `thin` has it."""
+def column_out(k, r, cosine, fade, air):
+    """Column of k from radius r out to space at a cosine >= 0, in vertical columns; `fade` that of r."""
     if air.rates[k] > 0:
         return fade * chapman(r * air.rates[k], cosine)
     height = r - air.radius
@@ -108,13 +52,13 @@ def column_out(k: int, r: float, cosine: float, fade: float, air: Any) -> Any:
 
 
 @jit
-def fade_at(k: int, height: float, air: Any) -> Any:
+def fade_at(k, height, air):
     """exp(-height / scale height) of constituent k; 1 where it has no scale height."""
-    return exponential(-height * air.rates[k])
+    return exponential_double(-height * air.rates[k])
 
 
 @jit
-def thin(height: float, air: Any, fade: np.ndarray, density: np.ndarray) -> None:
+def densities_at(height, air, fade, density):
     """`fade_at` and the density, m-1, of every constituent at a height into `fade` and `density` (K,)."""
     for k in range(air.rates.shape[0]):
         fade[k] = fade_at(k, height, air)
@@ -128,7 +72,7 @@ def thin(height: float, air: Any, fade: np.ndarray, density: np.ndarray) -> None
 
 
 @jit
-def phase_value(k: int, cosine: float, laws: Any) -> Any:
+def phase_value(k, cosine, laws):
     """Phase function of constituent k, sr-1, the same at all wavelengths: Rayleigh's or Henyey-Greenstein lobes."""
     if laws.kinds[k] == 0:
         g = laws.gamma[k]
@@ -142,7 +86,7 @@ def phase_value(k: int, cosine: float, laws: Any) -> Any:
 
 
 @jit
-def phase_row(k: int, cosine: float, laws: Any, row: np.ndarray) -> None:
+def phase_row(k, cosine, laws, row):
     """Phase function of constituent k at every wavelength, sr-1, into `row` (L,)."""
     if laws.kinds[k] < 2:
         row[:] = phase_value(k, cosine, laws)
@@ -156,7 +100,7 @@ def phase_row(k: int, cosine: float, laws: Any, row: np.ndarray) -> None:
 
 
 @jit
-def phase_cosine(k: int, hero: int, u: float, laws: Any) -> Any:
+def sample_phase_cosine(k, hero, u, laws):
     """Cosine of a scattering angle drawn by constituent k at wavelength `hero` from one number u in (0, 1)."""
     if laws.kinds[k] == 0:
         a, b = 1 + 3 * laws.gamma[k], (1 - laws.gamma[k]) / 3
@@ -181,7 +125,7 @@ def phase_cosine(k: int, hero: int, u: float, laws: Any) -> Any:
 
 
 @jit
-def turned(d: np.ndarray, cosine: float, turn: float, out: np.ndarray) -> None:
+def turned(d, cosine, turn, out):
     """A unit vector at an angle from `d`, turned about it, into `out` (Duff et al. 2017's frame)."""
     sign = math.copysign(1.0, d[2])
     a = -1.0 / (sign + d[2])
