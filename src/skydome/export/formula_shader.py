@@ -104,10 +104,10 @@ def rgb_lines(light: Light, scale: float) -> Lines:
         lines = [("per_y", "channel2 / max(channel1, 1.0e-6)"), ("big_x", "channel0 * per_y")]
         lines += [("big_z", "(1.0 - channel0 - channel1) * per_y")]
         names = ["big_x", "channel2", "big_z"]
-    return lines + mixed(scale * np.asarray(light.quantity.matrix), names)
+    return lines + matrix_times(scale * np.asarray(light.quantity.matrix), names)
 
 
-def mixed(matrix: np.ndarray, names: list[str]) -> Lines:
+def matrix_times(matrix: np.ndarray, names: list[str]) -> Lines:
     """Red, green and blue as weighted sums of named values, dark below the horizon."""
     colours = ("red", "green", "blue")
     return [(colour, f"seen * ({weighted(row, names)})") for colour, row in zip(colours, matrix, strict=True)]

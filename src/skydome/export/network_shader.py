@@ -1,6 +1,6 @@
 """A neural sky as shader code: the network under one sky, its numbers as constants of a function of direction."""
 
-from skydome.export.formula_shader import mixed, weighted
+from skydome.export.formula_shader import matrix_times, weighted
 from skydome.export.shader_languages import Language, number
 from skydome.light.colour import RGBSpace
 from skydome.skies.neural.folding import Folded, steadied
@@ -27,7 +27,7 @@ def network_shader(sky: NeuralForm, language: Language, scale: float, space: RGB
     matrix = scale * sky.rgb_matrix(space)
     seen = [k for k in range(matrix.shape[1]) if matrix[:, k].any()]  # bands that the eye does not see are left out
     neuron, lines, network = lights(sky, language, seen)
-    colours = mixed(network.scale * matrix[:, seen], [f"light{k}" for k in seen])
+    colours = matrix_times(network.scale * matrix[:, seen], [f"light{k}" for k in seen])
     return [neuron, language.colour_function("skydome_rgb", lines + colours, ("red", "green", "blue"))]
 
 

@@ -7,11 +7,11 @@ import numpy as np
 from skydome.eye.linked_groups import linked
 from skydome.ground.directions import angle_between, tangent_frame, unit
 from skydome.ground.extras import required
-from skydome.light.colour import RGBSpace, rgb_from_xyz
+from skydome.light.colour import RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projection import texel_centre
 from skydome.maps.resample import SUN_CONTRAST, without_suns
-from skydome.skies.suns.sun_disc import MEAN_RADIUS, SunDisc
+from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 MOST = 32
 """So many sources, the strongest, are treated one by one; fainter ones stay in the map."""
@@ -30,11 +30,6 @@ class BrightSource:
     direction: np.ndarray
     light: np.ndarray
     radius: float = MEAN_RADIUS
-
-    @classmethod
-    def of_disc(cls, disc: SunDisc, space: RGBSpace) -> "BrightSource":
-        """The sun's disc as a bright source."""
-        return cls(np.asarray(disc.sun), rgb_from_xyz(np.asarray(disc.normal_xyz), space), float(disc.angular_radius))
 
     def illuminance(self, space: RGBSpace) -> float:
         """Illuminance on a plane that faces the source, lx."""

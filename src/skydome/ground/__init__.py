@@ -7,6 +7,7 @@
 - compiled    The compiled floor: Numba's decorator with what it falls back to, and jobs shared among threads
 - elementary_kernel  What kernels share: exponentials, the logarithm, random numbers
 - interpolation  Linear weights, Lagrange's and Catmull and Rom's cubics, splines
+- gauss_newton   A damped Gauss-Newton step, for networks and families of curves
 - tables      Tables of measured and fitted figures: each a file in `data/` with its source written beside it
 - tone        From scene to screen: exposure, and curves that bring any brightness into 0..1 without turning a hue
 - png         PNG pictures: 8 bit sRGB

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skydome.ground.arrays import Array
+from skydome.ground.gauss_newton import Damping
 from skydome.own_air.bezier_fit import AllSuns, State
 from skydome.own_air.family import SkyFamily
 from skydome.own_air.refit import LIMITS
@@ -19,6 +20,7 @@ from skydome.skies.formula.sky_tables import POINTS, SkyTables
 
 SCALE = np.repeat((1.0, 0.3, 3.0, 0.2), POINTS)
 LOW, HIGH = (np.repeat(limit, POINTS) + inset for limit, inset in zip(LIMITS, (1e-3, -1e-3), strict=True))
+DAMPING = Damping(rise=5.0, tries=100, most=1e6)
 SLOPE, BEND = 1e-4, 3e-3
 """Residuals that stand for a change, and for a change of it, of one `SCALE` from turbidity to turbidity."""
 FIRST = 1e-2
@@ -63,20 +65,22 @@ def together(airs: list[AllSuns], start: np.ndarray, held: float = 0.0, rounds: 
 
     `held` ties them to the start.
     """
+
+    def tried(step: np.ndarray) -> tuple[tuple[np.ndarray, list[State]], float]:
+        points = np.clip(x - step.reshape(x.shape), LOW, HIGH)
+        states = [air.solved(row) for air, row in zip(airs, points, strict=True)]
+        return (points, states), springs.cost(states, points)
+
     springs = Springs.of(start, held)
     x, damping = np.clip(start, LOW, HIGH), 1e-4
     now = [air.solved(row) for air, row in zip(airs, x, strict=True)]
     cost = springs.cost(now, x)
     for _ in range(rounds):
         before, (hessian, gradient) = cost, normal_equations(airs, springs, now, x)
-        while damping < 1e6:
-            step = np.linalg.solve(hessian + damping * np.diag(np.tile(SCALE**-2, len(airs))), gradient)
-            tried = np.clip(x - step.reshape(x.shape), LOW, HIGH)
-            then = [air.solved(row) for air, row in zip(airs, tried, strict=True)]
-            if springs.cost(then, tried) < cost:
-                x, now, cost, damping = tried, then, springs.cost(then, tried), damping / 5
-                break
-            damping *= 5
+        step = DAMPING.step(hessian, gradient, np.tile(SCALE**-2, len(airs)), damping, cost, tried)
+        damping, cost = step.damping, step.cost
+        if step.state is not None:
+            x, now = step.state
         if before - cost < 1e-5 * cost:
             break
     return x

@@ -13,7 +13,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.own_air.family import SkyFamily
 from skydome.own_air.refit import basis, fitted
-from skydome.skies.formula.perez_formula import view_geometry
+from skydome.skies.formula.perez_formula import gradation_term, indicatrix_terms, view_geometry
 from skydome.skies.formula.sky_tables import POINTS, control_weights
 from skydome.skies.physical.refitted import OFFSET
 
@@ -95,11 +95,10 @@ def slope(x: Any, linear: Array, cosine: np.ndarray, angle: np.ndarray) -> Array
     """Derivatives of the formula by A, B, E and H, (D, 4), at A, B, E, H (4,) and C, D, F, G, I (5,)."""
     a, b, e, h = x
     c, d, f, g, i = linear
-    level = cosine + OFFSET
-    fall, square = np.exp(b / level), np.cos(angle) ** 2
-    spread = 1 + h * h - 2 * h * np.cos(angle)
-    glow, chi = d * np.exp(e * angle), g * (1 + square) / spread**1.5
-    inner = c + glow + f * square + chi + i * np.sqrt(cosine)
-    outer = 1 + a * fall
-    by_h = chi * -3 * (h - np.cos(angle)) / spread
-    return np.stack([fall * inner, a * fall / level * inner, outer * glow * angle, outer * by_h], axis=-1)
+    fall = gradation_term(b, cosine, OFFSET, OFFSET)
+    glow, square, chi, root = indicatrix_terms(e, h, cosine, angle)
+    inner, outer = c + d * glow + f * square + g * chi + i * root, 1 + a * fall
+    by_h = g * chi * -3 * (h - np.cos(angle)) / (1 + h * h - 2 * h * np.cos(angle))
+    return np.stack(
+        [fall * inner, a * fall / (cosine + OFFSET) * inner, outer * d * glow * angle, outer * by_h], axis=-1
+    )

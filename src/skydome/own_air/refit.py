@@ -17,7 +17,7 @@ from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import deg
-from skydome.skies.formula.perez_formula import view_geometry
+from skydome.skies.formula.perez_formula import gradation_term, indicatrix_terms, view_geometry
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import OFFSET, Numbers
 
@@ -97,9 +97,7 @@ def fitted(views: Views, sun: np.ndarray, light: np.ndarray, near: Array | None 
 
 
 def basis(x: np.ndarray, cosine: np.ndarray, angle: np.ndarray) -> Array:
-    """What C, D, F, G and I are multiplied by, (D, 5), for A, B, E, H (Hosek and Wilkie 2012, eq. 8)."""
+    """What C, D, F, G and I are multiplied by, (D, 5), for A, B, E, H (4,) (Hosek and Wilkie 2012, eq. 8)."""
     a, b, e, h = x
-    square = np.cos(angle) ** 2
-    chi = (1 + square) / (1 + h * h - 2 * h * np.cos(angle)) ** 1.5
-    parts = np.stack([np.ones_like(angle), np.exp(e * angle), square, chi, np.sqrt(cosine)], axis=-1)
-    return (1 + a * np.exp(b / (cosine + OFFSET)))[:, None] * parts
+    parts = np.stack([np.ones_like(angle), *indicatrix_terms(e, h, cosine, angle)], axis=-1)
+    return (1 + a * gradation_term(b, cosine, OFFSET, OFFSET))[:, None] * parts

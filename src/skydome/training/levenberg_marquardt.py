@@ -6,15 +6,17 @@ from itertools import pairwise
 
 import numpy as np
 
+from skydome.ground.gauss_newton import Damping
 from skydome.skies.neural.network import Output
 from skydome.training.losses import Loss, wanted_sums
 
 Layers = list[tuple[np.ndarray, np.ndarray]]
 CHUNK = 2048
+DAMPING = Damping(least=1e-8)
 
 
 @dataclass(frozen=True)
-class Samples:
+class TrainingSamples:
     """Training samples: inputs (N, q) and light (N, outputs) of mean 1."""
 
     inputs: np.ndarray
@@ -75,7 +77,7 @@ def columns_of_output(layers: Layers, k: int) -> np.ndarray:
 
 
 def normal_equations(
-    layers: Layers, samples: Samples, output: Output, loss: Loss
+    layers: Layers, samples: TrainingSamples, output: Output, loss: Loss
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """J^T J, J^T r and the sum of squared residuals over all samples; slopes in single precision, twice as fast."""
     size = sum(weights.size + biases.size for weights, biases in layers)
@@ -95,7 +97,7 @@ def normal_equations(
     return square, slope, cost
 
 
-def cost_of(layers: Layers, samples: Samples, output: Output, loss: Loss) -> float:
+def cost_of(layers: Layers, samples: TrainingSamples, output: Output, loss: Loss) -> float:
     """Sum of squared residuals."""
     return float((loss.residual(output, forward(layers, samples.inputs)[2], samples.light)[0] ** 2).sum())
 
@@ -115,7 +117,7 @@ def shaped(numbers: np.ndarray, like: Layers) -> Layers:
     return layers
 
 
-def solved_last_layer(layers: Layers, samples: Samples, output: Output) -> Layers:
+def solved_last_layer(layers: Layers, samples: TrainingSamples, output: Output) -> Layers:
     """The layers with the last one set by linear least squares on the wanted sums."""
     signals, _, _ = forward(layers, samples.inputs)
     design = np.concatenate([signals[-1], np.ones((len(samples.inputs), 1))], axis=1)
@@ -135,7 +137,7 @@ def random_layers(widths: list[int], rng: np.random.Generator, size: float = 1.5
 
 def minimised(
     layers: Layers,
-    samples: Samples,
+    samples: TrainingSamples,
     output: Output,
     loss: Loss,
     steps: int,
@@ -146,22 +148,21 @@ def minimised(
 
     Marquardt 1963, damped by the diagonal of J^T J. `progress` is told the mean squared residual after each step.
     """
+
+    def tried(step: np.ndarray) -> tuple[np.ndarray, float]:
+        trial = numbers - step
+        with np.errstate(over="ignore", invalid="ignore"):
+            return trial, cost_of(shaped(trial, layers), samples, output, loss)
+
     numbers = flat(layers)
     square, slope, cost = normal_equations(layers, samples, output, loss)
     for _ in range(steps):
-        for _ in range(8):
-            matrix = square + damping * np.diag(np.diag(square) + 1e-9 * np.trace(square) / len(square))
-            trial = numbers - np.linalg.solve(matrix, slope)
-            with np.errstate(over="ignore", invalid="ignore"):
-                trial_cost = cost_of(shaped(trial, layers), samples, output, loss)
-            if trial_cost < cost:
-                break
-            damping *= 4
-        else:
+        diagonal = np.diag(square) + 1e-9 * np.trace(square) / len(square)
+        step = DAMPING.step(square, slope, diagonal, damping, cost, tried)
+        if step.state is None:
             break
-        damping = max(damping / 5, 1e-8)
-        small = cost - trial_cost < 1e-7 * cost
-        numbers = trial
+        small = cost - step.cost < 1e-7 * cost
+        numbers, damping = step.state, step.damping
         square, slope, cost = normal_equations(shaped(numbers, layers), samples, output, loss)
         if progress is not None:
             progress(cost / samples.light.size)

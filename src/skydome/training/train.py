@@ -5,7 +5,7 @@ import numpy as np
 from skydome.skies.neural.network import Network
 from skydome.training.journal import Journal
 from skydome.training.lessons import Teacher, published_lesson
-from skydome.training.levenberg_marquardt import Layers, Samples, forward, minimised
+from skydome.training.levenberg_marquardt import Layers, TrainingSamples, forward, minimised
 from skydome.training.method import Progress, Recipe, Task
 from skydome.training.recipes import (
     COMPACT,
@@ -17,7 +17,7 @@ from skydome.training.recipes import (
 )
 
 __all__ = [
-    "COMPACT", "COMPACT_RECIPE", "DEEP_RECIPE", "PUBLISHED_RECIPE", "RECIPES", "SPECTRAL_RECIPE", "Recipe", "Samples",
+    "COMPACT", "COMPACT_RECIPE", "DEEP_RECIPE", "PUBLISHED_RECIPE", "RECIPES", "SPECTRAL_RECIPE", "Recipe", "TrainingSamples",
     "train", "train_on",
 ]  # fmt: skip
 
@@ -44,7 +44,7 @@ def train(
 
 
 def train_on(
-    samples: Samples,
+    samples: TrainingSamples,
     recipe: Recipe,
     scale: float,
     seed: int = 0,
@@ -57,7 +57,9 @@ def train_on(
     return finished(layers, samples, recipe, scale, bands)
 
 
-def finished(layers: Layers, samples: Samples, recipe: Recipe, scale: float, bands: tuple[float, ...]) -> Network:
+def finished(
+    layers: Layers, samples: TrainingSamples, recipe: Recipe, scale: float, bands: tuple[float, ...]
+) -> Network:
     """The network in its stored precision; the last layer is fitted again after the others were rounded."""
     rounded = [(weights.astype(recipe.dtype).astype(float), biases.astype(recipe.dtype).astype(float))
                for weights, biases in layers[:-1]]  # fmt: skip
@@ -67,9 +69,11 @@ def finished(layers: Layers, samples: Samples, recipe: Recipe, scale: float, ban
 
 
 def refitted_last(
-    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: Samples, recipe: Recipe
+    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: TrainingSamples, recipe: Recipe
 ) -> tuple[np.ndarray, np.ndarray]:
     """The last layer after a few steps of its own, the hidden ones being fixed."""
     signals, _, _ = forward([*hidden, last], samples.inputs)
-    layers, _ = minimised([last], Samples(signals[-1], samples.light), recipe.output, recipe.loss, 5, damping=1e-6)
+    layers, _ = minimised(
+        [last], TrainingSamples(signals[-1], samples.light), recipe.output, recipe.loss, 5, damping=1e-6
+    )
     return layers[0]

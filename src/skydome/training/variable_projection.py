@@ -9,11 +9,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skydome.training.levenberg_marquardt import Layers, flat, hidden_numbers, shaped, turned_single, weighted_jacobian
+from skydome.ground.gauss_newton import Damping
+from skydome.training.levenberg_marquardt import (
+    Layers,
+    flat,
+    forward,
+    hidden_numbers,
+    shaped,
+    turned_single,
+    weighted_jacobian,
+)
 from skydome.training.losses import SumLoss, wanted_sums
 from skydome.training.method import Method, Task
 
 CHUNK = 4096
+DAMPING = Damping(fall=3.0, least=1e-7)
 
 
 @dataclass(frozen=True)
@@ -79,15 +89,14 @@ def stepped(
     """Layers after one damped step, their cost and the next damping; the old ones where no step helps."""
     slope, size = gradient(layers, inputs, wanted), hidden_numbers(layers)
     numbers, diagonal = flat(layers), np.abs(np.diag(square))
-    for _ in range(8):
-        damped = square + damping * np.diag(diagonal + 1e-6 * diagonal.mean())
+
+    def tried(step: np.ndarray) -> tuple[Layers, float]:
         trial = numbers.copy()
-        trial[:size] -= np.linalg.solve(damped, slope)
-        found, found_cost = projected(shaped(trial, layers), inputs, wanted)
-        if found_cost < cost:
-            return found, found_cost, max(damping / 3, 1e-7)
-        damping *= 4
-    return layers, cost, damping * 16
+        trial[:size] -= step
+        return projected(shaped(trial, layers), inputs, wanted)
+
+    step = DAMPING.step(square, slope, diagonal + 1e-6 * diagonal.mean(), damping, cost, tried)
+    return (layers, cost, step.damping * 16) if step.state is None else (step.state, step.cost, step.damping)
 
 
 def gradient(layers: Layers, inputs: np.ndarray, wanted: np.ndarray) -> np.ndarray:
@@ -119,8 +128,6 @@ def projected(layers: Layers, inputs: np.ndarray, wanted: np.ndarray) -> tuple[L
 
 def single_forward(layers: Layers, inputs: np.ndarray) -> tuple[list[np.ndarray], list[np.ndarray], np.ndarray]:
     """`levenberg_marquardt.forward` in single precision."""
-    from skydome.training.levenberg_marquardt import forward
-
     single = [(weights.astype(np.float32), biases.astype(np.float32)) for weights, biases in layers]
     return forward(single, inputs.astype(np.float32))
 

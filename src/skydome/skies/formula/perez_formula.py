@@ -38,26 +38,33 @@ def from_perez(level: Array, a: Array, b: Array, c: Array, d: Array, e: Array, c
 
 def gradation(coefficients: Array, cos_zenith: Array, offset: float = 0.0, floor: float = COSINE_FLOOR) -> Array:
     """The factor in the view's zenith angle, dimensionless, shape of coefficients[..., 0] broadcast with cos_zenith."""
-    xp = namespace(coefficients, cos_zenith)
-    quotient = coefficients[..., B] / at_least(cos_zenith + offset, floor)
-    return 1 + coefficients[..., A] * xp.exp(quotient)
+    return 1 + coefficients[..., A] * gradation_term(coefficients[..., B], cos_zenith, offset, floor)
+
+
+def gradation_term(b: Array, cos_zenith: Array, offset: float = 0.0, floor: float = COSINE_FLOOR) -> Array:
+    """What A is multiplied by in the gradation, exp(B / (cos t + e)), B broadcast with cos_zenith."""
+    return namespace(b, cos_zenith).exp(b / at_least(cos_zenith + offset, floor))
 
 
 def indicatrix(coefficients: Array, cos_zenith: Array, sun_angle: Array) -> Array:
-    """The factor in the angle to the sun (and, by its last term, in the zenith angle), dimensionless.
+    """The factor in the angle to the sun (and, by its last term, in the zenith angle), dimensionless."""
+    c = coefficients
+    glow, square, chi, root = indicatrix_terms(c[..., E], c[..., H], cos_zenith, sun_angle)
+    return c[..., C] + c[..., D] * glow + c[..., F] * square + c[..., G] * chi + c[..., I] * root
+
+
+def indicatrix_terms(e: Array, h: Array, cos_zenith: Array, sun_angle: Array) -> tuple[Array, Array, Array, Array]:
+    """What D, F, G and I are multiplied by: exp(E g), cos^2 g, chi(H, g) and sqrt(cos t).
 
     cos g comes as 1 - 2 sin^2(g / 2), chi's denominator as (1 - H)^2 + 4 H sin^2(g / 2): exact near the sun in
     float32 too.
     """
-    xp = namespace(coefficients, sun_angle)
-    c = coefficients
+    xp = namespace(e, sun_angle)
     hav = xp.sin(sun_angle / 2) ** 2
     cosine = 1 - 2 * hav
     square = cosine * cosine
-    spread = (1 - c[..., H]) ** 2 + 4 * c[..., H] * hav
-    chi = (1 + square) / at_least(spread, 1e-12) ** 1.5
-    smooth = c[..., C] + c[..., D] * xp.exp(c[..., E] * sun_angle) + c[..., F] * square
-    return smooth + c[..., G] * chi + c[..., I] * safe_sqrt(cos_zenith)
+    chi = (1 + square) / at_least((1 - h) ** 2 + 4 * h * hav, 1e-12) ** 1.5
+    return xp.exp(e * sun_angle), square, chi, safe_sqrt(cos_zenith)
 
 
 def evaluate(
