@@ -15,7 +15,7 @@ from skydome.training.halving import Halving
 from skydome.training.journal import Journal
 from skydome.training.lessons import TEACHERS, even_sequence, held_out, published_lesson
 from skydome.training.levenberg_marquardt import (
-    TrainingSamples,
+    Examples,
     cost_of,
     flat,
     minimised,
@@ -47,7 +47,7 @@ every_method = pytest.mark.parametrize(("teacher", "recipe"), METHODS.values(), 
 
 def samples(count=400, outputs=3):
     rng = np.random.default_rng(0)
-    return TrainingSamples(rng.normal(size=(count, 6)), rng.random((count, outputs)) + 0.1)
+    return Examples(rng.normal(size=(count, 6)), rng.random((count, outputs)) + 0.1)
 
 
 def same(a, b):
@@ -87,12 +87,12 @@ def test_eliminated_layer_leaves_the_right_slope():
 
 
 def test_a_network_finds_a_network():
-    """TrainingSamples made by a network of three neurons are learned to a thousandth by one of six."""
+    """Examples made by a network of three neurons are learned to a thousandth by one of six."""
     rng = np.random.default_rng(5)
     inputs, layers = rng.normal(size=(2000, 6)), random_layers([6, 3, 3], rng)
     light = (1 / (1 + (inputs @ layers[0][0].T + layers[0][1]) ** 2) @ layers[1][0].T + layers[1][1]) ** 2 / 2
     recipe = replace(SMALL, hidden=(6,), starts=6, start_steps=20, rounds=((3, 40),), steps=150)
-    network = train_on(TrainingSamples(inputs, light), recipe, 1.0, seed=1)
+    network = train_on(Examples(inputs, light), recipe, 1.0, seed=1)
     assert np.sqrt(np.mean((network.light(inputs) - light) ** 2)) < 1e-3 * light.std()
 
 

@@ -13,7 +13,7 @@ from skydome.ground.directions import angle_between
 from skydome.skies.neural.network import ExponentialOutput, Network, conditions, features
 from skydome.skies.neural.sky import NeuralSky
 from skydome.training.halving import Halving
-from skydome.training.levenberg_marquardt import TrainingSamples
+from skydome.training.levenberg_marquardt import Examples
 from skydome.training.losses import MixedLoss
 from skydome.training.method import Progress, Recipe, Task
 from skydome.training.train import train_on
@@ -97,14 +97,14 @@ def train_committee(scans: Sequence[Scan], recipe: Recipe = COMMITTEE_RECIPE, se
     return Committee(tuple(networks), 2 * np.sin(nearest / 2))
 
 
-def day_samples(scans: Sequence[Scan], recipe: Recipe) -> tuple[TrainingSamples, float]:
+def day_samples(scans: Sequence[Scan], recipe: Recipe) -> tuple[Examples, float]:
     """Samples of all scans, light over its mean, and that mean; ValueError for suns that do not move."""
     if len({tuple(scan.sun.round(6)) for scan in scans}) < 2:
         raise ValueError(f"a day needs captures of at least two suns, got {len(scans)} of one")
     light = np.concatenate([scan.light for scan in scans])
     inputs = np.concatenate([network_inputs(recipe.inputs, scan.directions, scan.suns) for scan in scans])
     scale = float(light.mean())
-    return TrainingSamples(inputs, light / scale), scale
+    return Examples(inputs, light / scale), scale
 
 
 def unused_silenced(network: Network) -> Network:

@@ -9,7 +9,7 @@ from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.skies.catalogue import CATALOGUE, Model
 from skydome.skies.neural.network import conditions, features
-from skydome.training.levenberg_marquardt import TrainingSamples
+from skydome.training.levenberg_marquardt import Examples
 
 LEAST_ELEVATION = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
 
@@ -58,11 +58,11 @@ class Lesson:
     directions: np.ndarray
     light: np.ndarray
 
-    def samples(self, names: tuple[str, ...], scale: float) -> TrainingSamples:
+    def samples(self, names: tuple[str, ...], scale: float) -> Examples:
         """Inputs by name, and light over `scale`, flat."""
         inputs = features(names, conditions(self.directions, self.sun, self.turbidity, self.albedo))
         inputs = np.broadcast_to(inputs, (*self.light.shape[:2], len(names)))
-        return TrainingSamples(inputs.reshape(-1, len(names)), self.light.reshape(-1, self.light.shape[-1]) / scale)
+        return Examples(inputs.reshape(-1, len(names)), self.light.reshape(-1, self.light.shape[-1]) / scale)
 
 
 def lesson(

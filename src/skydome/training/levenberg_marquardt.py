@@ -16,8 +16,8 @@ DAMPING = Damping(least=1e-8)
 
 
 @dataclass(frozen=True)
-class TrainingSamples:
-    """Training samples: inputs (N, q) and light (N, outputs) of mean 1."""
+class Examples:
+    """Training examples: inputs (N, q) and light (N, outputs) of mean 1."""
 
     inputs: np.ndarray
     light: np.ndarray
@@ -77,7 +77,7 @@ def columns_of_output(layers: Layers, k: int) -> np.ndarray:
 
 
 def normal_equations(
-    layers: Layers, samples: TrainingSamples, output: Output, loss: Loss
+    layers: Layers, samples: Examples, output: Output, loss: Loss
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """J^T J, J^T r and the sum of squared residuals over all samples; slopes in single precision, twice as fast."""
     size = sum(weights.size + biases.size for weights, biases in layers)
@@ -97,7 +97,7 @@ def normal_equations(
     return square, slope, cost
 
 
-def cost_of(layers: Layers, samples: TrainingSamples, output: Output, loss: Loss) -> float:
+def cost_of(layers: Layers, samples: Examples, output: Output, loss: Loss) -> float:
     """Sum of squared residuals."""
     return float((loss.residual(output, forward(layers, samples.inputs)[2], samples.light)[0] ** 2).sum())
 
@@ -117,7 +117,7 @@ def shaped(numbers: np.ndarray, like: Layers) -> Layers:
     return layers
 
 
-def solved_last_layer(layers: Layers, samples: TrainingSamples, output: Output) -> Layers:
+def solved_last_layer(layers: Layers, samples: Examples, output: Output) -> Layers:
     """The layers with the last one set by linear least squares on the wanted sums."""
     signals, _, _ = forward(layers, samples.inputs)
     design = np.concatenate([signals[-1], np.ones((len(samples.inputs), 1))], axis=1)
@@ -137,7 +137,7 @@ def random_layers(widths: list[int], rng: np.random.Generator, size: float = 1.5
 
 def minimised(
     layers: Layers,
-    samples: TrainingSamples,
+    samples: Examples,
     output: Output,
     loss: Loss,
     steps: int,

@@ -11,7 +11,7 @@ import numpy as np
 from skydome.skies.neural.network import PUBLISHED, Output, RationalOutput
 from skydome.training.journal import Journal
 from skydome.training.lessons import Lesson, Teacher, dense_lesson
-from skydome.training.levenberg_marquardt import Layers, TrainingSamples, random_layers
+from skydome.training.levenberg_marquardt import Examples, Layers, random_layers
 from skydome.training.losses import Loss, TargetLoss
 
 Progress = Callable[[str, float], None]
@@ -59,7 +59,7 @@ class Recipe:
 class Task:
     """A training to be done: the samples, the recipe, the seed, who is told and where it is written down."""
 
-    samples: TrainingSamples
+    samples: Examples
     recipe: Recipe
     seed: int = 0
     progress: Progress | None = None
@@ -70,14 +70,14 @@ class Task:
         """Values in each layer, inputs first."""
         return [self.samples.inputs.shape[1], *self.recipe.hidden, self.samples.light.shape[1]]
 
-    def some(self, count: int) -> TrainingSamples:
+    def some(self, count: int) -> Examples:
         """At most `count` of the samples, the same ones each time."""
         if count >= len(self.samples.inputs):
             return self.samples
         if self.recipe.sequence:
-            return TrainingSamples(self.samples.inputs[:count], self.samples.light[:count])
+            return Examples(self.samples.inputs[:count], self.samples.light[:count])
         chosen = np.random.default_rng((self.seed, count)).choice(len(self.samples.inputs), count, replace=False)
-        return TrainingSamples(self.samples.inputs[chosen], self.samples.light[chosen])
+        return Examples(self.samples.inputs[chosen], self.samples.light[chosen])
 
     def random_start(self, number: int) -> Layers:
         """Random layers for the inputs as they are; the sums' spread is itself drawn between 0.3 and 1.5."""

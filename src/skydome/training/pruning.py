@@ -12,8 +12,8 @@ import numpy as np
 from skydome.skies.neural.network import Output
 from skydome.training.halving import Halving, Pool
 from skydome.training.levenberg_marquardt import (
+    Examples,
     Layers,
-    TrainingSamples,
     cost_of,
     flat,
     forward,
@@ -65,7 +65,7 @@ class GrowAndPrune(Halving):
             results.append((cost, layers))
         return results
 
-    def cycle(self, task: Task, few: TrainingSamples, layers: Layers, rng: np.random.Generator) -> tuple[Layers, float]:
+    def cycle(self, task: Task, few: Examples, layers: Layers, rng: np.random.Generator) -> tuple[Layers, float]:
         """Grown, trained, pruned to its size; the layers and their mean squared residual."""
         output, loss, width = task.recipe.output, task.recipe.loss, len(layers[0][1])
         for _ in range(self.more):
@@ -79,7 +79,7 @@ class GrowAndPrune(Halving):
 
 
 def grown(
-    layers: Layers, samples: TrainingSamples, output: Output, loss: Loss, candidates: tuple[np.ndarray, np.ndarray]
+    layers: Layers, samples: Examples, output: Output, loss: Loss, candidates: tuple[np.ndarray, np.ndarray]
 ) -> Layers:
     """The layers with that one of the candidates (weights (n, q), biases (n,)) that lowers the linearised cost most."""
     (weights, biases), (last, last_biases) = layers
@@ -95,7 +95,7 @@ def grown(
     return [first, (np.column_stack([last, strength]), last_biases - strength * middle[chosen])]
 
 
-def pruned(layers: Layers, samples: TrainingSamples, output: Output, loss: Loss) -> Layers:
+def pruned(layers: Layers, samples: Examples, output: Output, loss: Loss) -> Layers:
     """The layers without the neuron that is missed least, the others changed to make up for it.
 
     For each neuron its last weights are made 0 with the least rise of the quadratic model (Hassibi and Stork, eq. 5,

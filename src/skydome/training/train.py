@@ -5,7 +5,7 @@ import numpy as np
 from skydome.skies.neural.network import Network
 from skydome.training.journal import Journal
 from skydome.training.lessons import Teacher, published_lesson
-from skydome.training.levenberg_marquardt import Layers, TrainingSamples, forward, minimised
+from skydome.training.levenberg_marquardt import Examples, Layers, forward, minimised
 from skydome.training.method import Progress, Recipe, Task
 from skydome.training.recipes import (
     COMPACT,
@@ -17,8 +17,16 @@ from skydome.training.recipes import (
 )
 
 __all__ = [
-    "COMPACT", "COMPACT_RECIPE", "DEEP_RECIPE", "PUBLISHED_RECIPE", "RECIPES", "SPECTRAL_RECIPE", "Recipe", "TrainingSamples",
-    "train", "train_on",
+    "COMPACT",
+    "COMPACT_RECIPE",
+    "DEEP_RECIPE",
+    "PUBLISHED_RECIPE",
+    "RECIPES",
+    "SPECTRAL_RECIPE",
+    "Examples",
+    "Recipe",
+    "train",
+    "train_on",
 ]  # fmt: skip
 
 
@@ -44,7 +52,7 @@ def train(
 
 
 def train_on(
-    samples: TrainingSamples,
+    samples: Examples,
     recipe: Recipe,
     scale: float,
     seed: int = 0,
@@ -57,9 +65,7 @@ def train_on(
     return finished(layers, samples, recipe, scale, bands)
 
 
-def finished(
-    layers: Layers, samples: TrainingSamples, recipe: Recipe, scale: float, bands: tuple[float, ...]
-) -> Network:
+def finished(layers: Layers, samples: Examples, recipe: Recipe, scale: float, bands: tuple[float, ...]) -> Network:
     """The network in its stored precision; the last layer is fitted again after the others were rounded."""
     rounded = [(weights.astype(recipe.dtype).astype(float), biases.astype(recipe.dtype).astype(float))
                for weights, biases in layers[:-1]]  # fmt: skip
@@ -69,11 +75,9 @@ def finished(
 
 
 def refitted_last(
-    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: TrainingSamples, recipe: Recipe
+    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: Examples, recipe: Recipe
 ) -> tuple[np.ndarray, np.ndarray]:
     """The last layer after a few steps of its own, the hidden ones being fixed."""
     signals, _, _ = forward([*hidden, last], samples.inputs)
-    layers, _ = minimised(
-        [last], TrainingSamples(signals[-1], samples.light), recipe.output, recipe.loss, 5, damping=1e-6
-    )
+    layers, _ = minimised([last], Examples(signals[-1], samples.light), recipe.output, recipe.loss, 5, damping=1e-6)
     return layers[0]
