@@ -1,18 +1,18 @@
 """The ground floor: arrays, directions, numbers and files, on which every room stands.
 
-- arrays      One way to meet NumPy, PyTorch and JAX arrays: find the namespace, convert, guard the edges
-- units       Units as numbers to multiply with: angles are radians, lengths metres, wavelengths nanometres
-- directions  Directions: unit vectors in the frame x east, y north, z up, that point toward the light
-- quadrature  Quadrature over the upper hemisphere: nodes that crowd where skies are steep, weights in steradian
-- compiled    The compiled floor: Numba's decorator with what it falls back to, and jobs shared among threads
+- arrays             One way to meet NumPy, PyTorch and JAX arrays: find the namespace, convert, guard the edges
+- units              Units as numbers to multiply with: angles are radians, lengths metres, wavelengths nanometres
+- directions         Directions: unit vectors in the frame x east, y north, z up, that point toward the light
+- quadrature         Quadrature over the upper hemisphere: nodes that crowd where skies are steep, weights in steradian
+- compiled           The compiled floor: Numba's decorator with what it falls back to, and jobs shared among threads
 - elementary_kernel  What kernels share: exponentials, the logarithm, random numbers
-- interpolation  Linear weights, Lagrange's and Catmull and Rom's cubics, splines
-- gauss_newton   A damped Gauss-Newton step, for networks and families of curves
-- tables      Tables of measured and fitted figures: each a file in `data/` with its source written beside it
-- tone        From scene to screen: exposure, and curves that bring any brightness into 0..1 without turning a hue
-- png         PNG pictures: 8 bit sRGB
-- hdr         Radiance pictures: RGB with a shared exponent, one byte each
-- exr         OpenEXR files with their light's unit, place, time and provenance in the header: one writer, one reader
-- extras      Libraries that not every user needs: each comes with an extra, and is asked for before any work
-- writing     Files that appear whole or not at all
+- interpolation      Linear weights, Lagrange's and Catmull and Rom's cubics, splines
+- gauss_newton       A damped Gauss-Newton step, for networks and families of curves
+- tables             Tables of measured and fitted figures: each a file in `data/` with its source written beside it
+- tone               From scene to screen: exposure, and curves that bring any brightness into 0..1, hue kept
+- png                PNG pictures: 8 bit sRGB
+- hdr                Radiance pictures: RGB with a shared exponent, one byte each
+- exr                OpenEXR files with their light's unit, place, time and provenance in the header: one writer and reader
+- extras             Libraries that not every user needs: each comes with an extra, and is asked for before any work
+- writing            Files that appear whole or not at all
 """

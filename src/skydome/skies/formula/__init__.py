@@ -1,12 +1,12 @@
 """The nine numbers: the extended Perez formula (Hosek and Wilkie 2012, eq. 8), and everything that speaks it.
 
-- perez_formula  The nine numbers: the extended Perez formula from which nearly every analytic sky is made
-- formula_sky    Skies that are nothing but coefficients of the nine-number formula
-- quantity       From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
-- level          The absolute level of skies that are known only up to a factor
-- sky_tables     Tables of a sky model in Hosek and Wilkie's form
-- fast           The choice between the readable formula and its compiled float32 form
-- kernel         The nine numbers in float32, compiled, the fast second form of `perez_formula.evaluate`
+- perez_formula        The nine numbers: the extended Perez formula from which nearly every analytic sky is made
+- formula_sky          Skies that are nothing but coefficients of the nine-number formula
+- quantity             From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
+- level                The absolute level of skies that are known only up to a factor
+- sky_tables           Tables of a sky model in Hosek and Wilkie's form
+- fast                 The choice between the readable formula and its compiled float32 form
+- kernel               The nine numbers in float32, compiled, the fast second form of `perez_formula.evaluate`
 - nine_numbers_kernel  Its gradation and indicatrix, at one place and in rows
 - quantity_kernel      Its way from channels to the quantity asked for
 """

@@ -1,9 +1,9 @@
 """The sky by brute force: paths of light through spherical shells of air.
 
-- sky               The sky by brute force, backward Monte Carlo in spherical shells, all orders, ground
-- tables            What the path tracer's kernel reads, geometry
-- guide             What guides the path tracer in twilight, coarse tables of the light in the air
-- many_suns         The path tracer's other way to find the sun: by chance, with many suns in the sky at once
+- sky                  The sky by brute force, backward Monte Carlo in spherical shells, all orders, ground
+- tables               What the path tracer's kernel reads, geometry
+- guide                What guides the path tracer in twilight, coarse tables of the light in the air
+- many_suns            The path tracer's other way to find the sun: by chance, with many suns in the sky at once
 - loop_kernel          The path tracer's loops over directions, paths and events
 - event_kernel         A path at a vertex, at all wavelengths: throughput and pdf, next event, the next direction
 - flight_kernel        Straight segments: where they end, the columns on them, transmittance, free flights
