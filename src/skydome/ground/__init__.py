@@ -12,7 +12,7 @@
 - tone               From scene to screen: exposure, and curves that bring any brightness into 0..1, hue kept
 - png                PNG pictures: 8 bit sRGB
 - hdr                Radiance pictures: RGB with a shared exponent, one byte each
-- exr                OpenEXR files with their light's unit, place, time and provenance in the header: one writer and reader
+- exr                OpenEXR files with their light's unit, place, time and provenance in the header
 - extras             Libraries that not every user needs: each comes with an extra, and is asked for before any work
 - writing            Files that appear whole or not at all
 """
