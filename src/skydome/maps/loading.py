@@ -22,7 +22,9 @@ LAYOUT_NOTES = ("projection", "space", "target", "orientation")
 def load(path: str | PathLike[str], target: str = "native", projection: Projection | None = None) -> EnvironmentMap:
     """The map in an .exr or .hdr file that is laid out as `target` says, or as `projection` where that is given.
 
-    Its unit comes from whiteLuminance (.exr; 1 cd m-2 where the file is silent) or Radiance's 179 lm W-1 (.hdr).
+    Its unit comes from whiteLuminance (.exr; 1 cd m-2 where the file is silent) or Radiance's 179 lm W-1 (.hdr), its
+    primaries, place, time and provenance from the header too: what `EnvironmentMap.save` wrote comes back. ValueError
+    for another ending, another target, a damaged file, NaN or infinity; OSError where there is no such file.
 
     >>> from tempfile import TemporaryDirectory
     >>> import skydome as sd
