@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
@@ -13,13 +14,13 @@ from skydome.ground.arrays import Array
 from skydome.light.spectrum import Spectrum
 
 
-def at(value: Any, wavelengths: Any) -> Array:
+def at(value: float | Spectrum, wavelengths: ArrayLike) -> Array:
     """A number or a `Spectrum` at wavelengths, (W,)."""
     w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
     return value.at(w) if isinstance(value, Spectrum) else np.full(w.shape, float(value))
 
 
-def require_share(name: str, value: Any) -> None:
+def require_share(name: str, value: ArrayLike | Spectrum) -> None:
     """ValueError unless a number or `Spectrum` lies in [0, 1] everywhere."""
     numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
     wrong = numbers[~((numbers >= 0) & (numbers <= 1))]
@@ -27,7 +28,7 @@ def require_share(name: str, value: Any) -> None:
         raise ValueError(f"{name} must lie in [0, 1], got {wrong.flat[0]:g}")
 
 
-def require_positive(name: str, value: Any) -> None:
+def require_positive(name: str, value: ArrayLike | Spectrum) -> None:
     """ValueError unless a number or `Spectrum` is finite and not negative."""
     numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
     wrong = numbers[~((numbers >= 0) & np.isfinite(numbers))]
@@ -41,11 +42,11 @@ class Constituent(ABC):
     profile: Profile
 
     @abstractmethod
-    def depth(self, wavelengths: Any) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Vertical optical depth of extinction above the ground at wavelengths (W,) nm, shape (W,)."""
 
     @abstractmethod
-    def scattered(self, wavelengths: Any) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """Single scattering albedo: the share of the extinction that is scattered, shape (W,)."""
 
     @property
@@ -73,13 +74,13 @@ class Molecules(Constituent):
         if self.optical_depth is not None:
             require_positive("optical_depth", self.optical_depth)
 
-    def depth(self, wavelengths: Any) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """By Bodhaine et al. 1999, or as given."""
         if self.optical_depth is not None:
             return at(self.optical_depth, wavelengths)
         return rayleigh_depth(wavelengths, self.pressure)
 
-    def scattered(self, wavelengths: Any) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """All of it."""
         return at(1.0, wavelengths)
 
@@ -109,7 +110,7 @@ class Aerosol(Constituent):
         require_positive("optical_depth", self.optical_depth)
         require_share("aerosol albedo", self.albedo)
 
-    def depth(self, wavelengths: Any) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Angstrom's law, or the given spectrum."""
         depth = at(self.optical_depth, wavelengths)
         if isinstance(self.optical_depth, Spectrum):
@@ -117,7 +118,7 @@ class Aerosol(Constituent):
         result: np.ndarray = depth * (np.atleast_1d(np.asarray(wavelengths, dtype=float)) / 550) ** -self.angstrom
         return result
 
-    def scattered(self, wavelengths: Any) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """The single scattering albedo."""
         return at(self.albedo, wavelengths)
 
@@ -141,11 +142,11 @@ class Ozone(Constituent):
     def __post_init__(self) -> None:
         require_positive("ozone column", self.column)
 
-    def depth(self, wavelengths: Any) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Cross section times column."""
         return ozone_cross_section(wavelengths) * (DOBSON * self.column)
 
-    def scattered(self, wavelengths: Any) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """Nothing."""
         return at(0.0, wavelengths)
 

@@ -6,6 +6,7 @@ from hashlib import sha256
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
 from skydome.ground.arrays import Array
@@ -22,10 +23,10 @@ class PhaseLaw(ABC):
     """True where it is the same for all wavelengths."""
 
     @abstractmethod
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
 
-    def moments(self, count: int, wavelengths: Any) -> Array:
+    def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """Legendre moments 0 .. count - 1 (the first is 1), shape (count, W), by quadrature in the angle."""
         t, w = gauss_legendre(max(512, 4 * count))
         cosine = np.cos(np.pi * t)
@@ -52,7 +53,7 @@ class Rayleigh(PhaseLaw):
         if not 0 <= self.depolarisation < 0.5:
             raise ValueError(f"depolarisation must lie in [0, 0.5), got {self.depolarisation}")
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Chandrasekhar's generalised form, the same for all wavelengths."""
         return spread(rayleigh(np.asarray(cosine), self.depolarisation), wavelengths)
 
@@ -85,13 +86,13 @@ class HenyeyGreenstein(PhaseLaw):
         weights = np.asarray(self.weights, dtype=np.float64)
         return weights / weights.sum()
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The lobes' sum, the same for all wavelengths."""
         cosine = np.asarray(cosine, dtype=np.float64)[..., None]
         lobes = henyey_greenstein(cosine, np.asarray(self.asymmetries)) @ self.shares
         return spread(lobes, wavelengths)
 
-    def moments(self, count: int, wavelengths: Any) -> Array:
+    def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """The sum of g^n, exact."""
         powers = np.asarray(self.asymmetries) ** np.arange(count)[:, None]
         return spread(powers @ self.shares, wavelengths)
@@ -107,7 +108,7 @@ class CornetteShanks(PhaseLaw):
         if not -1 < self.asymmetry < 1:
             raise ValueError(f"asymmetry must lie in (-1, 1), got {self.asymmetry}")
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The same for all wavelengths."""
         return spread(cornette_shanks(np.asarray(cosine, dtype=np.float64), self.asymmetry), wavelengths)
 
@@ -118,7 +119,7 @@ class Haze(PhaseLaw):
 
     wavelengths_alike: ClassVar[bool] = False
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Interpolated in angle and wavelength."""
         values: np.ndarray = haze(np.asarray(cosine, dtype=np.float64), wavelengths)
         return values
@@ -157,7 +158,7 @@ class LegendreSeries(PhaseLaw):
         mark = sha256(self.wavelengths.tobytes() + self.series.tobytes()).hexdigest()[:16]
         return f"LegendreSeries({len(self.series)} moments at {self.wavelengths.size} wavelengths, {mark})"
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
+    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The series' sum."""
         cosine = np.asarray(cosine, dtype=np.float64)
         count = len(self.series)
@@ -167,12 +168,12 @@ class LegendreSeries(PhaseLaw):
             result[start : start + CHUNK] = legendre(count, flat[start : start + CHUNK]).T @ strength
         return result.reshape(*cosine.shape, -1)
 
-    def moments(self, count: int, wavelengths: Any) -> Array:
+    def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """The moments, 0 beyond the series' end."""
         there = Spectrum(self.wavelengths, self.series[:count]).at(np.atleast_1d(np.asarray(wavelengths, dtype=float)))
         return np.concatenate([there, np.zeros((count - len(there), there.shape[1]))])
 
 
-def spread(values: np.ndarray, wavelengths: Any) -> Array:
+def spread(values: np.ndarray, wavelengths: ArrayLike) -> Array:
     """Values (...,) repeated for each of the wavelengths, (..., W)."""
     return np.repeat(np.asarray(values)[..., None], np.size(wavelengths), axis=-1)

@@ -2,9 +2,9 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array
 
@@ -13,11 +13,11 @@ class Profile(ABC):
     """Density over height above the ground, scaled to a column of 1."""
 
     @abstractmethod
-    def density(self, heights: Any) -> Array:
+    def density(self, heights: ArrayLike) -> Array:
         """Density at heights, m-1; its integral over all heights is 1."""
 
     @abstractmethod
-    def above(self, heights: Any) -> Array:
+    def above(self, heights: ArrayLike) -> Array:
         """The part of the column above heights, 1 at the ground, dimensionless."""
 
 
@@ -35,12 +35,12 @@ class Exponential(Profile):
         if not 0 < self.scale_height < 1e6:
             raise ValueError(f"scale_height must lie in (0, 1e6) m, got {self.scale_height}")
 
-    def density(self, heights: Any) -> Array:
+    def density(self, heights: ArrayLike) -> Array:
         """exp(-h / H) / H."""
         result: np.ndarray = np.exp(-np.asarray(heights, dtype=np.float64) / self.scale_height) / self.scale_height
         return result
 
-    def above(self, heights: Any) -> Array:
+    def above(self, heights: ArrayLike) -> Array:
         """exp(-h / H)."""
         result: np.ndarray = np.exp(-np.asarray(heights, dtype=np.float64) / self.scale_height)
         return result
@@ -76,11 +76,11 @@ class Tabulated(Profile):
         """The integral of the given densities."""
         return float(np.trapezoid(self.densities, self.heights))
 
-    def density(self, heights: Any) -> Array:
+    def density(self, heights: Array) -> Array:
         """The densities interpolated, m-1."""
         return np.interp(heights, self.heights, self.densities, left=0.0, right=0.0) / self.column
 
-    def above(self, heights: Any) -> Array:
+    def above(self, heights: ArrayLike) -> Array:
         """One minus the integral of the piecewise linear density up to each height."""
         knots, values = np.asarray(self.heights), np.asarray(self.densities)
         whole = np.concatenate([[0.0], np.cumsum(np.diff(knots) * (values[1:] + values[:-1]) / 2)])

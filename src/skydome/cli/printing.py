@@ -19,7 +19,7 @@ def show_facts(facts: Mapping[str, Any], as_json: bool) -> None:
     show(facts, {name: text_of(value) for name, value in facts.items() if value not in (None, [], {}, "")}, as_json)
 
 
-def text_of(value: Any) -> str:
+def text_of(value: object) -> str:
     """A fact as people read it.
 
     >>> text_of(0.1234567), text_of([1.5, 2.0]), text_of({"latitude": 45.07})
@@ -32,12 +32,12 @@ def text_of(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def print_json(facts: Any) -> None:
+def print_json(facts: object) -> None:
     """Print JSON; NaN and infinity, which JSON lacks, as null."""
     print(json.dumps(finite(facts), indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def finite(value: Any) -> Any:
+def finite(value: object) -> Any:
     """The value with None in place of numbers that are not finite.
 
     >>> finite({"a": [1.0, float("inf")]})

@@ -25,7 +25,7 @@ What is converted on arrival, and may be a number or a list too, is `numpy.typin
 """
 
 
-def is_numpy(value: Any) -> bool:
+def is_numpy(value: object) -> bool:
     """True for what NumPy can hold without another library: arrays, numbers, lists."""
     return value is None or isinstance(value, HELD_BY_NUMPY)
 
@@ -56,7 +56,7 @@ def namespace(*values: Any) -> Any:
         raise TypeError(type_error.format(" and ".join(libraries))) from error
 
 
-def is_torch(value: Any) -> bool:
+def is_torch(value: object) -> bool:
     """True for a torch tensor."""
     torch = sys.modules.get("torch")
     return torch is not None and isinstance(value, torch.Tensor)
@@ -70,17 +70,17 @@ def require_one_device(tensors: list[Any]) -> None:
         raise TypeError(f"arrays on different devices cannot be mixed, got {got}; move them to one device first")
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: object) -> bool:
     """True for a bare number, or a list of them, that has no dtype of its own to keep."""
     return isinstance(value, WITHOUT_DTYPE)
 
 
-def is_array(value: Any) -> bool:
+def is_array(value: object) -> bool:
     """True for an array or a scalar of any library: what has a dtype."""
     return hasattr(value, "dtype")
 
 
-def floating(value: Any, like: Any = None) -> Array:
+def floating(value: Any, like: object = None) -> Array:
     """The value as a floating array, shape kept; numbers and lists take dtype, library and device of the array `like`.
 
     Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
@@ -124,7 +124,7 @@ def is_compiling() -> bool:
     return torch is not None and torch.compiler.is_compiling()
 
 
-def is_concrete(value: Any) -> bool:
+def is_concrete(value: object) -> bool:
     """False where the values cannot be looked at: while JAX or torch traces or maps a function, and on "meta"."""
     jax, torch = sys.modules.get("jax"), sys.modules.get("torch")
     if jax is not None and isinstance(value, jax.core.Tracer):
@@ -136,7 +136,7 @@ def is_concrete(value: Any) -> bool:
     return not torch._C._functorch.is_functorch_wrapped_tensor(value)  # torch.func has no public question for it
 
 
-def as_numpy(value: Any) -> np.ndarray:
+def as_numpy(value: object) -> np.ndarray:
     """`value` as a NumPy array, detached from gradients and copied from its device where needed."""
     if hasattr(value, "detach"):
         value = value.detach().cpu()

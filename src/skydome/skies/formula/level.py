@@ -5,13 +5,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, at_least, floating, namespace, safe_divide
 from skydome.ground.directions import elevation, zenith_angle
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, horizontal_integral
 
 
-def require_one_level(model: str, zenith_luminance: Any, illuminance: Any) -> None:
+def require_one_level(model: str, zenith_luminance: ArrayLike, illuminance: ArrayLike) -> None:
     """ValueError unless exactly one of the two levels is given, and it is not negative."""
     if (zenith_luminance is None) == (illuminance is None):
         given = "neither" if zenith_luminance is None else "both"
@@ -25,8 +26,8 @@ def require_one_level(model: str, zenith_luminance: Any, illuminance: Any) -> No
 def levelled(
     coefficients: Array,
     sun: Array,
-    zenith_luminance: Any = None,
-    illuminance: Any = None,
+    zenith_luminance: ArrayLike | None = None,
+    illuminance: ArrayLike | None = None,
     offset: float = 0.0,
     floor: float = COSINE_FLOOR,
 ) -> Array:
@@ -51,7 +52,7 @@ def levelled(
     return xp.concat([xp.broadcast_to(level, (*tuple(rest.shape[:-1]), 1)), rest], axis=-1)
 
 
-def clear_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
+def clear_zenith_luminance(sun: Array, turbidity: ArrayLike = 2.45) -> Array:
     """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38).
 
     The formula and the turbidity of Radiance's `gensky`.
@@ -79,7 +80,7 @@ def overcast_zenith_luminance(sun: Array) -> Array:
     return 1000 * (8.6 * xp.sin(at_least(elevation(sun), 0.0)) + 0.123)
 
 
-def middle_zenith_luminance(sun: Array, turbidity: Any = 2.45) -> Array:
+def middle_zenith_luminance(sun: Array, turbidity: ArrayLike = 2.45) -> Array:
     """Zenith luminance between a clear and an overcast sky's, cd m-2: the mean of both."""
     return (clear_zenith_luminance(sun, turbidity) + overcast_zenith_luminance(sun)) / 2
 

@@ -4,6 +4,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.dome.patches import Patches
 from skydome.dome.patches import patches as patches_named
@@ -32,9 +33,9 @@ def year(
     compat: Compat = "paper",
     smooth: bool = False,
     colour: str | None = None,
-    wavelengths: Any = None,
-    turbidity: Any = 3.0,
-    clouds: Any = None,
+    wavelengths: ArrayLike | None = None,
+    turbidity: ArrayLike = 3.0,
+    clouds: ArrayLike | None = None,
     calendar_year: int | None = None,
     track: SunTrack | None = None,
 ) -> "xarray.Dataset":
