@@ -11,7 +11,6 @@ from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at,
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
-from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
@@ -137,20 +136,20 @@ class Atmosphere:
         parts = (mars.gas(pressure), mars.dust(dust_depth))
         return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
 
-    def depth(self, wavelengths: ArrayLike) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
         """Vertical optical depth of everything above the ground, (W,)."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
 
-    def albedo_at(self, wavelengths: ArrayLike) -> Array:
+    def albedo_at(self, wavelengths: ArrayLike) -> np.ndarray:
         """The ground's albedo, (W,)."""
         return at(self.albedo, wavelengths)
 
-    def sun_at(self, wavelengths: ArrayLike) -> Array:
+    def sun_at(self, wavelengths: ArrayLike) -> np.ndarray:
         """Irradiance of the sun above the air on a plane that faces it, W m-2 nm-1, (W,)."""
         light = solar_irradiance(wavelengths) if self.sunlight is None else self.sunlight.at(wavelengths)
         return light * self.sun_scale
 
-    def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> Array:
+    def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
 
         `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5.
@@ -162,7 +161,7 @@ class Atmosphere:
         result: np.ndarray = np.exp(-self.slant_depths(cos_zenith, wavelengths))
         return result
 
-    def slant_depths(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> Array:
+    def slant_depths(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
         """Optical depth of a straight ray from the ground to space, (..., W)."""
         t, w = gauss_legendre(200)
         heights, steps = self.height * t**3, self.height * 3 * t * t * w

@@ -10,11 +10,10 @@ from numpy.typing import ArrayLike
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
-from skydome.ground.arrays import Array
 from skydome.light.spectrum import Spectrum
 
 
-def at(value: float | Spectrum, wavelengths: ArrayLike) -> Array:
+def at(value: float | Spectrum, wavelengths: ArrayLike) -> np.ndarray:
     """A number or a `Spectrum` at wavelengths, (W,)."""
     w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
     return value.at(w) if isinstance(value, Spectrum) else np.full(w.shape, float(value))
@@ -42,11 +41,11 @@ class Constituent(ABC):
     profile: Profile
 
     @abstractmethod
-    def depth(self, wavelengths: ArrayLike) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
         """Vertical optical depth of extinction above the ground at wavelengths (W,) nm, shape (W,)."""
 
     @abstractmethod
-    def scattered(self, wavelengths: ArrayLike) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
         """Single scattering albedo: the share of the extinction that is scattered, shape (W,)."""
 
     @property
@@ -74,13 +73,14 @@ class Molecules(Constituent):
         if self.optical_depth is not None:
             require_positive("optical_depth", self.optical_depth)
 
-    def depth(self, wavelengths: ArrayLike) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
         """By Bodhaine et al. 1999, or as given."""
         if self.optical_depth is not None:
             return at(self.optical_depth, wavelengths)
-        return rayleigh_depth(wavelengths, self.pressure)
+        depth: np.ndarray = rayleigh_depth(wavelengths, self.pressure)
+        return depth
 
-    def scattered(self, wavelengths: ArrayLike) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
         """All of it."""
         return at(1.0, wavelengths)
 
@@ -110,7 +110,7 @@ class Aerosol(Constituent):
         require_positive("optical_depth", self.optical_depth)
         require_share("aerosol albedo", self.albedo)
 
-    def depth(self, wavelengths: ArrayLike) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
         """Angstrom's law, or the given spectrum."""
         depth = at(self.optical_depth, wavelengths)
         if isinstance(self.optical_depth, Spectrum):
@@ -118,7 +118,7 @@ class Aerosol(Constituent):
         result: np.ndarray = depth * (np.atleast_1d(np.asarray(wavelengths, dtype=float)) / 550) ** -self.angstrom
         return result
 
-    def scattered(self, wavelengths: ArrayLike) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
         """The single scattering albedo."""
         return at(self.albedo, wavelengths)
 
@@ -142,11 +142,12 @@ class Ozone(Constituent):
     def __post_init__(self) -> None:
         require_positive("ozone column", self.column)
 
-    def depth(self, wavelengths: ArrayLike) -> Array:
+    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
         """Cross section times column."""
-        return ozone_cross_section(wavelengths) * (DOBSON * self.column)
+        depth: np.ndarray = ozone_cross_section(wavelengths) * (DOBSON * self.column)
+        return depth
 
-    def scattered(self, wavelengths: ArrayLike) -> Array:
+    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
         """Nothing."""
         return at(0.0, wavelengths)
 
