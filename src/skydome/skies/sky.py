@@ -13,12 +13,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_array, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.formula.fast import Light
-from skydome.skies.validity import Check, Range, inside, require, require_check
+from skydome.skies.validity import Check, Range, has_library, inside, require, require_check
 from skydome.sun.day import is_day
 
 
@@ -231,11 +231,6 @@ class SpectralSky(ColourSky):
         """CIE XYZ by integrating `radiance` over `bands` against the CIE 1931 functions, shape (..., 3)."""
         radiance = self.radiance(directions, self.bands)
         return radiance @ constant(xyz_weights(self.bands), radiance)
-
-
-def has_library(value: Any) -> bool:
-    """True for arrays that must share one library: all but NumPy's whole numbers, which are mere indices."""
-    return is_array(value) and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
 
 
 def plain(value: Any) -> Any:

@@ -4,7 +4,7 @@ from typing import Any, Literal, NamedTuple, cast
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_compiling, is_concrete, limited
+from skydome.ground.arrays import Array, as_numpy, floating, is_array, is_compiling, is_concrete, limited
 from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
@@ -63,3 +63,8 @@ def require_check(check: str) -> Check:
     if check not in CHECKS:
         raise ValueError(f'check must be one of "raise", "clamp", "nan", got {check!r}')
     return cast(Check, check)
+
+
+def has_library(value: Any) -> bool:
+    """True for arrays that must share one library: all but NumPy's whole numbers, which are mere indices."""
+    return is_array(value) and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
