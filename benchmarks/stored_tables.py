@@ -3,6 +3,7 @@
 import numpy as np
 
 from skydome.ground.directions import elevation
+from skydome.ground.interpolation import weights
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
 from skydome.skies.formula.sky_tables import blended, control_weights
 from skydome.skies.hosek_wilkie import TURBIDITIES, HosekWilkieRGB, published

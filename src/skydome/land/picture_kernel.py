@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from skydome.ground.compiled import job
+from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.haze.kernel import along, read_light
 from skydome.land.rays_kernel import lerp3, march, normal_at
@@ -25,10 +25,10 @@ NOTHING, CLEAR, FOG = 0, 1, 2
 LIFT = 0.02
 """How far above the ground, in cells, a ray to the sun starts."""
 real = np.float32
-compiled = job()
+compiled, part = job(), inlined()
 
 
-@compiled
+@part
 def view(camera, row, column, sample, side, key):
     """The ray through one of side x side jittered places in a pixel, a unit vector x, y, z."""
     _, _, _, forward, right, up, width, height = camera
@@ -41,7 +41,7 @@ def view(camera, row, column, sample, side, key):
     return x * scale, y * scale, z * scale
 
 
-@compiled
+@part
 def reached(ground, camera, x, y, z):
     """Metres to the ground, negative for the sky, and whether it is on the map."""
     heights, pyramid, levels, dx, dy, base = ground
@@ -51,7 +51,7 @@ def reached(ground, camera, x, y, z):
     return t, t >= 0.0
 
 
-@compiled
+@part
 def point_on_sun(sunlight, key):
     """A direction to a point of the sun's disc, even over it: x, y, z, not scaled to length 1."""
     sun, across, upward = sunlight[0], sunlight[1], sunlight[2]
@@ -64,7 +64,7 @@ def point_on_sun(sunlight, key):
     )
 
 
-@compiled
+@part
 def sun_cosine(ground, u, v, z, sunlight, key):
     """Cosine between the slope's normal at a place on the map and the sun; 0 in shadow, or turned away."""
     heights, pyramid, levels, dx, dy, _ = ground
@@ -78,7 +78,7 @@ def sun_cosine(ground, u, v, z, sunlight, key):
     return 0.0 if blocked >= 0.0 else cosine
 
 
-@compiled
+@part
 def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key, colour, skyward, light):
     """The light of the ground that a ray x, y, z meets at t, before the air dims it, into `light` (3,).
 
@@ -86,7 +86,7 @@ def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key
     """
     u, v = camera[0] + x / ground[3] * t, camera[1] - y / ground[4] * t
     cosine = max(sunlight[0][2], 0.0)
-    colour[:] = surface[3]
+    colour[0], colour[1], colour[2] = surface[3][0], surface[3][1], surface[3][2]
     if on_map:
         lerp3(surface[0], v * surface[1], u * surface[2], colour)
         cosine = sun_cosine(ground, u, v, camera[2] + z * t, sunlight, key)
@@ -95,7 +95,7 @@ def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key
         light[c] = colour[c] / math.pi * (sunlight[3][c] * cosine + skyward[c])
 
 
-@compiled
+@part
 def through_air(air, x, y, z, t, scattered, light):
     """Dim and veil `light` (3,), in place, by t metres of air along a ray. `scattered` (6,): scratch."""
     kind, fog, densities, tables = air
