@@ -56,11 +56,7 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
     if "place" in facts:
         rows["place"] = place_text(**facts["place"])
         rows["time"] = facts["time"]
-    if "sun" in facts:
-        rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])
-    rows |= {
-        "model": f"{facts['model']}{'' if facts['valid'] else '  (outside its range: extrapolated or clamped)'}",
-        "parameters": parameters_text(facts["parameters"]),
+    rows |= sky_rows(facts) | {
         "zenith luminance": f"{facts['zenith_luminance_cd_m2']:,.0f} cd m-2",
         "diffuse horizontal": f"{light['diffuse']:,.0f} lx",
         "direct horizontal": f"{light['direct']:,.0f} lx ({light['direct_normal']:,.0f} lx facing the sun)",
@@ -70,6 +66,15 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         ),
     }
     return rows | notes_row(facts["notes"])
+
+
+def sky_rows(facts: dict[str, Any]) -> dict[str, str]:
+    """Sun and model of a sky's facts, for people."""
+    rows = {}
+    if "sun" in facts:
+        rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])
+    outside = "" if facts["valid"] else "  (outside its range: extrapolated or clamped)"
+    return rows | {"model": facts["model"] + outside, "parameters": parameters_text(facts["parameters"])}
 
 
 def notes_row(notes: list[str]) -> dict[str, str]:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.numbers_of_light import moment_facts, notes_row, parameters_text
+from skydome.cli.numbers_of_light import moment_facts, notes_row, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
@@ -146,12 +146,7 @@ def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
 def plane_rows(facts: dict[str, Any]) -> dict[str, str]:
     """The same for people."""
     light, plane = facts["illuminance_lx"], facts["plane"]
-    rows = {}
-    if "sun" in facts:
-        rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])
-    rows |= {
-        "model": f"{facts['model']}{'' if facts['valid'] else '  (outside its range: extrapolated or clamped)'}",
-        "parameters": parameters_text(facts["parameters"]),
+    rows = sky_rows(facts) | {
         "plane": f"tilt {plane['tilt_deg']:g}°, facing {plane['azimuth_deg']:g}°",
         "sky view factor": f"{facts['sky_view_factor']:.4f}",
         "from the sky": f"{light['sky']:,.0f} lx",
