@@ -30,6 +30,7 @@ SKIES = {
     ),
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
+    "perez-smooth": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), smooth=True),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
     "preetham-refitted": lambda sun, one: RefittedPreetham(sun, one * 3.2),
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),

@@ -72,7 +72,7 @@ class Objective:
         """The model's light toward the chosen samples, (n,) or (n, channels)."""
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
-            return self.samples.light(self.problem.sky(self.problem.values(x, self.about)), self.toward)
+            return self.samples.light(self.problem.sky(self.problem.values(x, self.about), "nan"), self.toward)
 
     @property
     def toward(self) -> np.ndarray:

@@ -80,7 +80,7 @@ def shape_cost(
     Where no level is free the factor is 1: absolute light tells the turbidity.
     """
     known = values | ({"sun": sun} if "sun" in problem.free else {})
-    light = samples.light(problem.sky(known), samples.directions[chosen])
+    light = samples.light(problem.sky(known, "nan"), samples.directions[chosen])
     observed = samples.values[chosen]
     if light.ndim == 2:
         light, observed = light.mean(axis=-1), observed.mean(axis=-1)

@@ -9,6 +9,7 @@ import numpy as np
 from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.skies.catalogue import usually_fitted
 from skydome.skies.sky import Sky
+from skydome.skies.validity import Check
 
 LEVELS = ("scale", "zenith_luminance", "illuminance")
 """Parameters that multiply the light as a whole."""
@@ -111,11 +112,11 @@ class Problem:
             found["sun"] = toward / np.linalg.norm(toward)
         return found
 
-    def sky(self, values: Mapping[str, Any]) -> Sky:
+    def sky(self, values: Mapping[str, Any], check: Check = "raise") -> Sky:
         """The sky of the parameters `values`, the fixed ones added, times its scale."""
         everything = dict(self.fixed) | dict(values)
         scale = everything.pop("scale", 1.0)
-        sky = self.model(**everything)
+        sky = self.model(**everything, check=check)
         return sky if isinstance(scale, float) and scale == 1.0 else sky * scale
 
 

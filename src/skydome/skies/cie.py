@@ -1,6 +1,6 @@
 """The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -9,7 +9,6 @@ from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
 from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
-from skydome.skies.formula.level import levelled, require_one_level
 from skydome.skies.formula.perez_formula import from_perez, view_geometry
 from skydome.skies.sky import SunlitSky
 
@@ -41,22 +40,18 @@ class CIE(LuminanceFormulaSky):
     """
 
     type: int | np.ndarray = 12
-    zenith_luminance: Any = field(default=None, kw_only=True)
-    illuminance: Any = field(default=None, kw_only=True)
     source: ClassVar[str] = "CIE S 011/E:2003 (ISO 15469:2004)"
 
     def __post_init__(self) -> None:
         """Validate only."""
-        require_one_level("CIE", self.zenith_luminance, self.illuminance)
         letters_of(self.type)
         super().__post_init__()
 
-    def coefficients(self) -> Array:
-        """R A ... I of the one channel, shape (..., 1, 10); C = 1 - c exp(d pi / 2)."""
+    def relative_coefficients(self) -> Array:
+        """R A ... I with R = 1, shape (..., 1, 10); C = 1 - c exp(d pi / 2)."""
         letters = constant(letters_of(self.type), self.sun)
         a, b, c, d, e, constant_term = (letters[k] for k in range(6))
-        relative = from_perez(1.0, a, b, c, d, e, constant_term)
-        return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
+        return from_perez(1.0, a, b, c, d, e, constant_term)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,20 +66,12 @@ class CIEClear(LuminanceFormulaSky):
     3000
     """
 
-    zenith_luminance: Any = field(default=None, kw_only=True)
-    illuminance: Any = field(default=None, kw_only=True)
     source: ClassVar[str] = "Kittler 1967, CIE 110-1994; Preetham 1999, eq. 1"
 
-    def __post_init__(self) -> None:
-        """Validate only."""
-        require_one_level("CIEClear", self.zenith_luminance, self.illuminance)
-        super().__post_init__()
-
-    def coefficients(self) -> Array:
-        """R A ... I of the one channel, shape (1, 10)."""
+    def relative_coefficients(self) -> Array:
+        """R A ... I with R = 1, shape (1, 10)."""
         a, b, c, d, e = (constant(value, self.sun) for value in (-1.0, -0.32, 10.0, -3.0, 0.45))
-        relative = from_perez(1.0, a, b, c, d, e, 0.91)
-        return levelled(relative, self.sun, self.zenith_luminance, self.illuminance)
+        return from_perez(1.0, a, b, c, d, e, 0.91)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution.
 
 deviation from the paper | here | why
-b may come out positive | held at 0 | exp(b / cos t) has no bound at the horizon unless b < 0
+the table's own | see `perez_table` | b held at 0, no sky all negative
 negative luminance | 0, and the level is set after that | a sky has no negative light
 sun within 3 degrees of the zenith | as it is in "paper"; at 87 degrees in "gendaylit" | gendaylit lowers the sun
 """
@@ -12,71 +12,46 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from skydome.air.optical_mass import kasten_1966
-from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.arrays import (
+    Array,
+    at_least,
+    constant,
+    floating,
+    limited,
+    namespace,
+    safe_divide,
+    safe_sqrt,
+)
 from skydome.ground.directions import zenith_angle
-from skydome.ground.tables import columns
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.light.irradiance import GREATEST_IRRADIANCE
-from skydome.skies.formula.formula_sky import LuminanceFormulaSky
-from skydome.skies.formula.level import levelled
-from skydome.skies.formula.perez_formula import COSINE_FLOOR, from_perez
+from skydome.skies.formula.formula_sky import LuminanceFormulaSky, Recipe
+from skydome.skies.formula.level import integral, levelled, require_one_level
+from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, from_perez
+from skydome.skies.formula.quantity import Quantity
+from skydome.skies.perez_table import (
+    Compat,
+    bins_about,
+    brightness,
+    clearness,
+    clearness_bin,
+    guarded_letters,
+    table_rows,
+)
 from skydome.skies.validity import Range
-
-Compat = Literal["paper", "gendaylit"]
-
-
-def clearness(direct_normal: Array, diffuse_horizontal: Array, sun_zenith: Array) -> Array:
-    """Sky clearness, from 1 (overcast) up: ((Dh + I) / Dh + 1.041 Z^3) / (1 + 1.041 Z^3) (Perez 1990, eq. 1)."""
-    cube = 1.041 * sun_zenith**3
-    return (1 + safe_divide(direct_normal, diffuse_horizontal) + cube) / (1 + cube)
-
-
-def brightness(diffuse_horizontal: Array, sun_zenith: Array, extraterrestrial: Array) -> Array:
-    """Sky brightness Delta = m Dh / E0 (Perez 1990, eq. 2), m by Kasten 1966."""
-    return kasten_1966(sun_zenith) * diffuse_horizontal / extraterrestrial
-
-
-def clearness_bin(epsilon: Array) -> Array:
-    """Index 0..7 of the clearness category, integer array of the shape of epsilon."""
-    xp = namespace(epsilon)
-    bounds = constant(columns("perez_1993")["epsilon"][1:], epsilon)
-    return xp.sum(xp.astype(epsilon[..., None] >= bounds, xp.int32), axis=-1)
-
-
-def table_rows(table: str, names: list[str], index: Array, like: Array) -> Array:
-    """The named columns of a table at the rows `index` (...,), shape (..., len(names))."""
-    stacked = np.stack([columns(table)[name] for name in names], axis=-1)
-    return constant(stacked, like)[index[..., None]][..., 0, :]  # a lone index would be fetched from its device
-
-
-def distribution_letters(epsilon: Array, delta: Array, sun_zenith: Array) -> tuple[Array, ...]:
-    """The letters a, b, c, d, e, each (...,): p = x1 + x2 Z + Delta (x3 + x4 Z) (Perez 1993, eq. 6-8, Table 1)."""
-    xp = namespace(epsilon, delta, sun_zenith)
-    index = clearness_bin(epsilon)
-    letters = {}
-    for letter in "abcde":
-        x = table_rows("perez_1993", [f"{letter}{k}" for k in (1, 2, 3, 4)], index, epsilon)
-        letters[letter] = x[..., 0] + x[..., 1] * sun_zenith + delta * (x[..., 2] + x[..., 3] * sun_zenith)
-        overcast = delta * (x[..., 0] + x[..., 1] * sun_zenith)  # the first bin's own forms of c and d
-        if letter == "c":
-            first = xp.exp(limited(at_least(overcast, 1e-12) ** x[..., 2], 0.0, 50.0)) - x[..., 3]
-        elif letter == "d":
-            first = -xp.exp(limited(overcast, -50.0, 50.0)) + x[..., 2] + delta * x[..., 3]
-        else:
-            continue
-        letters[letter] = xp.where(index == 0, first, letters[letter])
-    return tuple(letters[letter] for letter in "abcde")
 
 
 @dataclass(frozen=True, eq=False)
 class PerezAllWeather(LuminanceFormulaSky):
     """Sky luminance from direct normal and diffuse horizontal irradiance, W m-2 (Perez, Seals and Michalsky 1993).
 
-    Parameters broadcast with the sun's leading axes: (T, 1) with directions (D, 3) gives (T, D). `dew_point`,
-    degrees C, sets the precipitable water of the luminous efficacies (Perez 1990). `compat="gendaylit"` has its
-    limits: clearness 1-12.01, brightness 0.01-0.6, brightness at least 0.2 for clearness 1.065-2.8, cos t at least
-    0.01, sun at most 87 degrees high; its horizon blend and its level, which is 0.3-3 % low, are not copied.
+    Parameters broadcast with the sun's leading axes: (T, 1) with directions (D, 3) gives (T, D). The level is the
+    diffuse irradiance times its luminous efficacy (Perez 1990; `dew_point`, degrees C, sets its precipitable water), or
+    the `illuminance`, lx, or `zenith_luminance`, cd m-2, given. Without direct and diffuse light there is no sky: light
+    0 and `valid` False. `smooth` takes away the jumps between bins of clearness: a sky between those of the two bins,
+    as `skydome.year` has it. `compat="gendaylit"` has its limits: clearness 1-12.01, brightness 0.01-0.6, for the
+    letters at least 0.2 where clearness is 1.065-2.8, cos t at least 0.01, sun at most 87 degrees high; its horizon
+    blend and its level, which is 0.3-3 % low, are not copied.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
@@ -92,6 +67,8 @@ class PerezAllWeather(LuminanceFormulaSky):
     extraterrestrial_irradiance: Any = SOLAR_CONSTANT
     dew_point: Any = 11.0
     compat: Compat = field(default="paper", kw_only=True)
+    smooth: bool = field(default=False, kw_only=True)
+    knows_level: ClassVar[bool] = True
     ranges: ClassVar = {
         "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
@@ -99,11 +76,12 @@ class PerezAllWeather(LuminanceFormulaSky):
     }
     source: ClassVar[str] = "Perez, Seals and Michalsky 1993; efficacies Perez et al. 1990"
 
-    def __post_init__(self) -> None:
-        """Validate only."""
+    def require_level(self) -> None:
+        """ValueError for two levels, or for limits that nobody has."""
         if self.compat not in ("paper", "gendaylit"):
             raise ValueError(f'compat must be "paper" or "gendaylit", got {self.compat!r}')
-        super().__post_init__()
+        if self.zenith_luminance is not None or self.illuminance is not None:
+            require_one_level("PerezAllWeather", self.zenith_luminance, self.illuminance)
 
     @property
     def floor(self) -> float:  # type: ignore[override]
@@ -124,6 +102,17 @@ class PerezAllWeather(LuminanceFormulaSky):
         lowered = xp.concat([heading * level_part, xp.full_like(level, highest)], axis=-1)
         return xp.where(sun[..., 2:3] > highest, lowered, sun)
 
+    @property
+    def sun_distance(self) -> Array:
+        """Distance of the sun, AU, that the extraterrestrial irradiance tells, shape (...,)."""
+        return (SOLAR_CONSTANT / self.parameter("extraterrestrial_irradiance")) ** 0.5
+
+    @property
+    def valid(self) -> Array:
+        """True where the parameters lie in their ranges, the sun is up, there is light and the level holds."""
+        given = self.parameter("direct_normal_irradiance") + self.parameter("diffuse_horizontal_irradiance")
+        return super().valid & (given > 0)
+
     def conditions(self) -> tuple[Array, Array, Array]:
         """Clearness, brightness and the sun's zenith angle as the model uses them, each (...,)."""
         zenith = zenith_angle(self.formula_sun)
@@ -132,10 +121,7 @@ class PerezAllWeather(LuminanceFormulaSky):
         delta = brightness(diffuse, zenith, self.parameter("extraterrestrial_irradiance"))
         if self.compat == "paper":
             return epsilon, delta, zenith
-        xp = namespace(epsilon)
-        epsilon, delta = limited(epsilon, 1.0, 12.01), limited(delta, 0.01, 0.6)
-        dark = (epsilon > 1.065) & (epsilon < 2.8) & (delta < 0.2)
-        return epsilon, xp.where(dark, xp.full_like(delta, 0.2), delta), zenith
+        return limited(epsilon, 1.0, 12.01), limited(delta, 0.01, 0.6), zenith
 
     def efficacy(self, component: Literal["global", "diffuse", "direct"]) -> Array:
         """Luminous efficacy of a component of the irradiance, lm W-1, shape (...,) (Perez 1990, Table 4)."""
@@ -152,6 +138,12 @@ class PerezAllWeather(LuminanceFormulaSky):
     @property
     def diffuse_illuminance(self) -> Array:
         """Diffuse horizontal illuminance, lx, shape (...,)."""
+        if self.zenith_luminance is not None:
+            xp = namespace(self.sun)
+            each = integral(self.coefficients(), self.formula_sun, self.offset, self.floor)
+            return xp.sum(each, axis=-1)
+        if self.illuminance is not None:
+            return floating(self.illuminance, like=self.sun)
         return self.parameter("diffuse_horizontal_irradiance") * self.efficacy("diffuse")
 
     @property
@@ -159,25 +151,51 @@ class PerezAllWeather(LuminanceFormulaSky):
         """Illuminance of the sun on a plane that faces it, lx, shape (...,)."""
         return self.parameter("direct_normal_irradiance") * self.efficacy("direct")
 
-    def relative_coefficients(self) -> Array:
-        """R A ... I with R = 1, shape (..., 1, 10)."""
-        a, b, c, d, e = distribution_letters(*self.conditions())
-        return from_perez(constant(1.0, a), a, -at_least(-b, 0.0), c, d, e)
+    @property
+    def levels(self) -> tuple[Any, Any]:
+        """Zenith luminance, cd m-2, or illuminance, lx, the other None."""
+        if self.zenith_luminance is not None:
+            return self.zenith_luminance, None
+        return None, self.diffuse_illuminance
 
-    def levelled_to(self, horizontal: Array) -> Array:
-        """Coefficients whose horizontal integral is `horizontal`."""
-        return levelled(
-            self.relative_coefficients(), self.formula_sun, illuminance=horizontal, offset=self.offset, floor=self.floor
-        )
+    def relative_coefficients(self) -> Array:
+        """R A ... I with R = 1, shape (..., 1, 10), or (..., 2, 10) of the two bins that `smooth` blends."""
+        epsilon, delta, zenith = self.conditions()
+        bins = bins_about(epsilon)[:2] if self.smooth else (epsilon,)
+        parts = []
+        for clear in bins:
+            a, b, c, d, e = guarded_letters(clear, delta, zenith, self.compat).letters
+            parts.append(from_perez(constant(1.0, a), a, b, c, d, e))
+        return namespace(epsilon).concat(parts, axis=-2)
+
+    def levelled_to(self, zenith: Any, horizontal: Any) -> Array:
+        """Coefficients whose zenith luminance, or whose horizontal integral, is as given."""
+        relative = self.relative_coefficients()
+        own = levelled(relative, self.formula_sun, zenith, horizontal, self.offset, self.floor)
+        return own if not self.smooth else self.blended(own)
+
+    def blended(self, coefficients: Array) -> Array:
+        """The two bins' coefficients, each levelled (..., 2, 10), by their weights; a black one has none."""
+        xp = namespace(coefficients)
+        upper = bins_about(self.conditions()[0])[2]
+        lit = xp.astype(coefficients[..., R] > 0, coefficients.dtype)
+        weights = xp.stack([1 - upper, upper], axis=-1) * lit
+        weights = safe_divide(weights, xp.sum(weights, axis=-1, keepdims=True))
+        return xp.concat([(coefficients[..., R] * weights)[..., None], coefficients[..., 1:]], axis=-1)
 
     def coefficients(self) -> Array:
-        """R A ... I of the luminance, shape (..., 1, 10)."""
-        return self.levelled_to(self.diffuse_illuminance)
+        """R A ... I of the luminance, shape (..., 1, 10); with `smooth` (..., 2, 10), whose lights add up."""
+        return self.levelled_to(*self.levels)
+
+    def luminance_recipe(self) -> Recipe:
+        """The one channel, or the sum of two."""
+        return self.coefficients(), Quantity(np.ones((1, 2)) if self.smooth else None)
 
     def broadband_radiance(self, directions: Array) -> Array:
         """Radiance over the whole solar spectrum toward each direction, W m-2 sr-1, shape (...,).
 
         Its horizontal integral is the diffuse irradiance given, to 1e-4.
         """
-        coefficients = self.levelled_to(self.parameter("diffuse_horizontal_irradiance"))
-        return self.channels(directions, coefficients)[..., 0]
+        coefficients = self.levelled_to(None, self.parameter("diffuse_horizontal_irradiance"))
+        light = self.channels(directions, coefficients)
+        return namespace(light).sum(light, axis=-1)

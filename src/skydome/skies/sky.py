@@ -39,6 +39,8 @@ class Sky(ABC):
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False
     """Whether the sky still has light when the sun has set."""
+    knows_level: ClassVar[bool] = False
+    """Whether a sky that takes a level has one of its own where none is given."""
     check: Check = field(default="raise", kw_only=True)
 
     def __post_init__(self) -> None:
@@ -167,6 +169,11 @@ class SunlitSky(Sky):
     @property
     def haze(self) -> Any:
         """Turbidity of the air that the sun shines through, where the sky was made for one; None for others."""
+        return None
+
+    @property
+    def sun_distance(self) -> Any:
+        """Distance of the sun, AU, where the sky was made for one; None for others."""
         return None
 
     @property

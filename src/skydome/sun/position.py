@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.units import deg
 from skydome.sun.geocentric import distances, earth_fixed
@@ -103,8 +104,17 @@ def solar_radius(time: Times) -> np.ndarray:
     >>> (solar_radius("2026-01-03T17:00Z") / deg).round(4).tolist()
     0.2711
     """
-    radius: np.ndarray = np.arcsin(np.sin(SOLAR_RADIUS_AT_1_AU) / earth_sun_distance(time))
+    radius: np.ndarray = radius_at(earth_sun_distance(time))
     return radius
+
+
+def radius_at(distance: Array) -> Array:
+    """Angular radius of the sun's disc from a distance in AU, radians, shape of `distance`.
+
+    >>> round(radius_at(1.0) / deg, 4)
+    0.2666
+    """
+    return namespace(distance).asin(np.sin(SOLAR_RADIUS_AT_1_AU) / floating(distance))
 
 
 def checked_years(utc: np.ndarray) -> np.ndarray:

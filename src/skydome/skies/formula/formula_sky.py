@@ -1,18 +1,28 @@
 """Skies that are nothing but coefficients of the nine-number formula."""
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, floating, is_array, is_numpy, namespace
+from skydome.ground.arrays import (
+    Array,
+    as_numpy,
+    floating,
+    is_array,
+    is_compiling,
+    is_concrete,
+    is_numpy,
+    namespace,
+)
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
+from skydome.skies.formula.level import has_light, levelled, require_one_level
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, evaluate, view_geometry
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.sky import ColourSky, SunlitSky
+from skydome.skies.sky import ColourSky, Sky, SunlitSky
 
 Recipe = tuple[Array, Quantity]
 """Coefficients (..., channels, 10) and what is made of the channels."""
@@ -100,7 +110,8 @@ class FormulaSky(SunlitSky):
 
     def own_shape(self, coefficients: np.ndarray) -> tuple[int, ...]:
         """The leading shape of the sky's parameters."""
-        return np.broadcast_shapes(coefficients.shape[:-2], np.shape(self.formula_sun)[:-1], np.shape(self.valid))
+        given = [np.shape(part) for part in self.checks(self.sun)]
+        return np.broadcast_shapes(coefficients.shape[:-2], np.shape(self.formula_sun)[:-1], *given)
 
     def is_outer(self, directions: np.ndarray, coefficients: np.ndarray) -> bool:
         """Whether every direction meets every sky, skies first: shapes such as () and (H, W), (T, 1) and (D,)."""
@@ -162,8 +173,67 @@ class ColourFormulaSky(FormulaSky, ColourSky):
 
 @dataclass(frozen=True, eq=False)
 class LuminanceFormulaSky(FormulaSky):
-    """A formula sky of one channel, luminance, whose level is given by zenith luminance or by illuminance."""
+    """A formula sky of one channel, luminance, whose level is given by zenith luminance or by illuminance.
+
+    A sky that the formula makes black where the level asks for light is not `valid`.
+    """
+
+    zenith_luminance: Any = field(default=None, kw_only=True)
+    illuminance: Any = field(default=None, kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Validate only: the level, the parameters, and that the formula has light."""
+        self.require_level()
+        super().__post_init__()
+        if self.check == "raise" and can_be_looked_at(self):
+            require_light(type(self).__name__, as_numpy(self.is_day), as_numpy(self.level_holds))
+
+    def require_level(self) -> None:
+        """ValueError unless exactly one level is given."""
+        require_one_level(type(self).__name__, self.zenith_luminance, self.illuminance)
+
+    @abstractmethod
+    def relative_coefficients(self) -> Array:
+        """R A ... I with R = 1, shape (..., 1, 10)."""
+
+    @property
+    def levels(self) -> tuple[Any, Any]:
+        """Zenith luminance, cd m-2, or illuminance, lx, the other None."""
+        return self.zenith_luminance, self.illuminance
+
+    @property
+    def level_holds(self) -> Array:
+        """True where the light is as bright as the level asks: not where the formula is black, boolean array (...,)."""
+        zenith, horizontal = self.levels
+        asked = floating(horizontal if zenith is None else zenith, like=self.sun)
+        lit = has_light(self.relative_coefficients(), self.formula_sun, zenith is not None, self.offset, self.floor)
+        return lit | (asked == 0)
+
+    @property
+    def valid(self) -> Array:
+        """True where every parameter lies in its range, the sun is up and the level holds."""
+        return super().valid & self.level_holds
+
+    def coefficients(self) -> Array:
+        """R A ... I of the one channel, shape (..., 1, 10)."""
+        return levelled(self.relative_coefficients(), self.formula_sun, *self.levels, self.offset, self.floor)
 
     def luminance_recipe(self) -> Recipe:
         """The one channel itself."""
         return self.coefficients(), Quantity()
+
+
+def can_be_looked_at(sky: Sky) -> bool:
+    """Whether the sky's values are known: not while JAX or torch traces."""
+    return not is_compiling() and all(is_concrete(getattr(sky, item.name)) for item in fields(sky))
+
+
+def require_light(model: str, day: np.ndarray, holds: np.ndarray) -> None:
+    """ValueError where by day a level does not hold."""
+    black = np.atleast_1d(day & ~holds)
+    if black.any():
+        count = f"{int(black.sum())} of {black.size} skies" if black.size > 1 else "one"
+        raise ValueError(
+            f"{model} must give light at its level, got {count} whose formula is negative all over (or in the zenith, "
+            'where that is given): change the letters or the irradiances, or take check="clamp" and ask `valid`'
+        )

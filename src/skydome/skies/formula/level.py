@@ -7,9 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, at_least, floating, namespace, safe_divide
+from skydome.ground.arrays import Array, at_least, floating, is_numpy, namespace, safe_divide
 from skydome.ground.directions import elevation, zenith_angle
+from skydome.ground.quadrature import half_hemisphere_about
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, horizontal_integral
+
+FEW_NODES = 4
+"""Nodes each way by which a sky is looked over for light."""
 
 
 def require_one_level(model: str, zenith_luminance: ArrayLike, illuminance: ArrayLike) -> None:
@@ -37,19 +41,57 @@ def levelled(
     L = E f / integral(f cos t). A sky that is black everywhere keeps R = 0.
     """
     xp = namespace(coefficients, sun)
-    sun_zenith = at_least(zenith_angle(sun), 0.0)
     if illuminance is None:
+        sun_zenith = at_least(zenith_angle(sun), 0.0)
         reference = evaluate(coefficients, xp.ones_like(sun_zenith), sun_zenith, offset, floor)
         target = floating(zenith_luminance, like=coefficients)
     else:
-        sun_zenith = xp.where(sun_zenith < np.pi / 2, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
-        reference = horizontal_integral(coefficients, sun_zenith, offset, floor)
+        reference = integral(coefficients, sun, offset, floor)
         target = floating(illuminance, like=coefficients)
     factor = safe_divide(target[..., None] if target.ndim else target, reference)
     level = coefficients[..., R] * factor
     level, rest = level[..., None], coefficients[..., 1:]
     rest = xp.broadcast_to(rest, (*np.broadcast_shapes(tuple(level.shape[:-1]), tuple(rest.shape[:-1])), 9))
     return xp.concat([xp.broadcast_to(level, (*tuple(rest.shape[:-1]), 1)), rest], axis=-1)
+
+
+def integral(coefficients: Array, sun: Array, offset: float = 0.0, floor: float = COSINE_FLOOR) -> Array:
+    """Light on the horizontal of each channel, shape (..., channels); a sun that has set counts as rising."""
+    return horizontal_integral(coefficients, risen(sun), offset, floor)
+
+
+def risen(sun: Array) -> Array:
+    """Zenith angle of the sun, (...,), at most pi / 2."""
+    xp = namespace(sun)
+    sun_zenith = at_least(zenith_angle(sun), 0.0)
+    return xp.where(sun_zenith < np.pi / 2, sun_zenith, xp.full_like(sun_zenith, np.pi / 2))
+
+
+def has_light(
+    coefficients: Array, sun: Array, in_zenith: bool, offset: float = 0.0, floor: float = COSINE_FLOOR
+) -> Array:
+    """True where relative coefficients (..., channels, 10) can be brought to a level, boolean array (...,).
+
+    False where the formula is negative all over (`in_zenith`: in the zenith), or has no bound.
+    """
+    xp, sun_zenith = namespace(coefficients, sun), at_least(zenith_angle(sun), 0.0)
+    if in_zenith:
+        lit = bounded(evaluate(coefficients, xp.ones_like(sun_zenith), sun_zenith, offset, floor))
+        return xp.any(lit, axis=-1)
+    cosine, angle, _ = half_hemisphere_about(risen(sun), FEW_NODES, FEW_NODES)
+    light = xp.sum(evaluate(coefficients[..., None, :, :], cosine, angle, offset, floor), axis=-2)
+    lit = xp.any(bounded(light), axis=-1)
+    if is_numpy(lit) and not np.all(lit):  # a sliver of light between the few nodes
+        lit = np.array(lit)
+        shape = (*lit.shape, *coefficients.shape[-2:])
+        dense = integral(np.broadcast_to(coefficients, shape)[~lit], np.broadcast_to(sun, (*lit.shape, 3))[~lit])
+        lit[~lit] = bounded(dense).any(axis=-1)
+    return lit
+
+
+def bounded(light: Array) -> Array:
+    """True where light is above 0 and finite, boolean array of its shape."""
+    return (light > 0) & (light < float("inf"))
 
 
 def clear_zenith_luminance(sun: Array, turbidity: ArrayLike = 2.45) -> Array:

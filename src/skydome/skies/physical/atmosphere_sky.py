@@ -23,6 +23,11 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.atmosphere.albedo
 
     @property
+    def sun_distance(self) -> float:
+        """Distance of the sun, AU, that the atmosphere's `sun_scale` tells."""
+        return self.atmosphere.sun_scale**-0.5
+
+    @property
     def direct_normal_illuminance(self) -> Array | float:
         """Illuminance of the sun through this air on a plane that faces it, lx, shape (...,); 0 when it has set."""
         cosine, bands = np.asarray(self.sun, dtype=np.float64)[..., 2], SpectralSky.bands

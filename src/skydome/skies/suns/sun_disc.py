@@ -28,7 +28,7 @@ from skydome.light.spectrum import xyz_weights
 from skydome.skies.hosek_wilkie import TURBIDITIES, band_weights
 from skydome.skies.sky import Sky, SpectralSky, SunlitSky
 from skydome.skies.validity import Range
-from skydome.sun.position import SOLAR_RADIUS_AT_1_AU
+from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, radius_at, solar_radius
 
 MEAN_RADIUS = SOLAR_RADIUS_AT_1_AU
 """Angular radius of the sun where none is given, rad: at 1 AU."""
@@ -74,11 +74,17 @@ def limb_mean(wavelengths: Any) -> np.ndarray:
     return mean
 
 
+def radius_of(sky: SunlitSky) -> Any:
+    """Angular radius of the sun at the distance that a sky knows, rad; at 1 AU where it knows none."""
+    distance = sky.sun_distance
+    return MEAN_RADIUS if distance is None else radius_at(distance)
+
+
 @dataclass(frozen=True, eq=False)
 class SunDisc(SunlitSky, SpectralSky):
     """The sun's disc toward `sun`, seen through air of a turbidity 1-10; add it to a sky: `sky + SunDisc.of(sky)`.
 
-    `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's). `direct_normal_illuminance`, lx, sets
+    `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's, 3.4 % of light between January and July). `direct_normal_illuminance`, lx, sets
     the level and keeps the spectrum. Maps integrate the disc over texels: its energy is right at every resolution.
 
     >>> import skydome as sd
@@ -96,18 +102,28 @@ class SunDisc(SunlitSky, SpectralSky):
     source: ClassVar[str] = "Hosek and Wilkie 2013; tables of version 1.4a"
 
     @classmethod
-    def of(cls, sky: Sky, angular_radius: Any = MEAN_RADIUS, turbidity: Any = None) -> "SunDisc":
+    def of(cls, sky: Sky, angular_radius: Any = None, turbidity: Any = None, *, time: Any = None) -> "SunDisc":
         """The disc that belongs to a sky: of its sun and turbidity, and of its direct illuminance where it knows one.
 
-        TypeError for a sky that tells neither (the CIE's): give SunDisc(sun, turbidity=...) then.
+        As large as the sun is at its distance: by `angular_radius`, rad, or at a `time` (what `instants` takes), or as
+        the sky knows it (its air's `sun_scale`, its extraterrestrial irradiance), else at 1 AU. TypeError for a sky
+        that tells neither turbidity nor illuminance (the CIE's): give SunDisc(sun, turbidity=...) then.
+
+        >>> import skydome as sd
+        >>> sky = sd.HosekWilkie(sd.direction(0.0, 0.7), 3.0)
+        >>> [round(float(SunDisc.of(sky, time=day).illuminance(sky.sun)), -2) for day in ("2026-01-03", "2026-07-06")]
+        [84800.0, 79400.0]
         """
+        if angular_radius is None and time is not None:
+            angular_radius = solar_radius(time)
         for part in sky.parts:
             if (lit := part.sunlit) is None:
                 continue
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
                 known = 3.0 if known is None else known
-                return cls(lit.sun, known, angular_radius, direct_normal_illuminance=level, check=part.check)
+                radius = radius_of(lit) if angular_radius is None else angular_radius
+                return cls(lit.sun, known, radius, direct_normal_illuminance=level, check=part.check)
         name = type(sky).__name__
         raise TypeError(f"{name} does not tell how bright its sun is; give skydome.SunDisc(sun, turbidity=...)")
 

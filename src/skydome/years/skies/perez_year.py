@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from skydome.ground.units import SOLAR_CONSTANT
-from skydome.skies.perez_all_weather import Compat, PerezAllWeather, distribution_letters
+from skydome.skies.perez_all_weather import PerezAllWeather
+from skydome.skies.perez_table import Compat, bins_about, guarded_letters
 from skydome.sun.day import is_day
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
@@ -13,10 +14,6 @@ from skydome.years.weather.sun_of_interval import SunTrack, lit_sun
 from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather
 
-BIN_CENTRES = np.array([1.0, 1.1475, 1.365, 1.725, 2.375, 3.65, 5.35, 9.1])
-"""Clearness at which each bin of Perez's table is taken as it is by `smooth`; the first and last hold outside."""
-
-LEAST_BRIGHTNESS = 0.2
 BRIGHTEST = 0.6
 """Brightness up to which Perez's table was fitted, as gendaylit has it."""
 
@@ -34,6 +31,7 @@ class PerezYear(NamedTuple):
     clearness: np.ndarray
     brightness: np.ndarray
     status: np.ndarray
+    compat: Compat
 
 
 def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | None = None) -> PerezYear:
@@ -41,14 +39,20 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
     sun = lit_sun(weather, track)
     direct, diffuse = weather.irradiances
     up = (sun.lit > 0) & is_day(sun.directions)
-    lit = np.flatnonzero(up & ~weather.missing & (diffuse > 0))
+    lit = np.flatnonzero(up & ~weather.missing & (direct + diffuse > 0))
     dew_point = np.where(np.isnan(weather.dew_point), DEW_POINT, weather.dew_point)
     orbit = 1 / sun.distances**2
     sky = PerezAllWeather(
-        sun.directions[lit], direct[lit], diffuse[lit], SOLAR_CONSTANT * orbit[lit], dew_point[lit], compat=compat
+        sun.directions[lit],
+        direct[lit],
+        diffuse[lit],
+        SOLAR_CONSTANT * orbit[lit],
+        dew_point[lit],
+        check="clamp",
+        compat=compat,
     )
     clearness, brightness, zenith = sky.conditions()
-    letters, bright, dark = guarded_letters(clearness, brightness, zenith)
+    letters, bright, dark = guarded_letters(clearness, brightness, zenith, compat)
     held = at_limits(sky, clearness, brightness)
     status = status_of(
         night=~up,
@@ -62,31 +66,13 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
         dark_sky=among(lit, dark, weather.count),
         no_dew_point=np.isnan(weather.dew_point),
     )
-    skies = PerezSkies(letters, sky.formula_sun, sky.floor)
+    skies = PerezSkies(np.stack(letters), sky.formula_sun, sky.floor)
     beam, light = sky.direct_normal_illuminance, sky.diffuse_illuminance
     if weather.direct_illuminance is not None and weather.diffuse_illuminance is not None:
         beam, light = weather.direct_illuminance[lit], weather.diffuse_illuminance[lit]
     return PerezYear(
-        lit, skies, light, sun.directions, sun.times, sun.lit, beam, clearness, brightness, status
+        lit, skies, light, sun.directions, sun.times, sun.lit, beam, clearness, brightness, status, compat
     )  # fmt: skip
-
-
-def guarded_letters(
-    clearness: np.ndarray, brightness: np.ndarray, zenith: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Letters (5, K) with b <= 0; True where b was above 0; True where the sky would be negative all over.
-
-    Under b = 0 the gradation is 1 + a everywhere. Where that is negative (dim skies of clearness 2-2.8), the brightness
-    is taken as `LEAST_BRIGHTNESS`, as gendaylit and gendaymtx take it for all dim skies of clearness 1.065-2.8.
-    """
-    letters = np.stack(distribution_letters(clearness, brightness, zenith))
-    bright = letters[1] > 0
-    dark = (letters[1] >= 0) & (letters[0] < -1)
-    if dark.any():
-        raised = np.maximum(brightness[dark], LEAST_BRIGHTNESS)
-        letters[:, dark] = np.stack(distribution_letters(clearness[dark], raised, zenith[dark]))
-    letters[1] = np.minimum(letters[1], 0.0)
-    return letters, bright, dark
 
 
 def at_limits(sky: PerezAllWeather, clearness: np.ndarray, brightness: np.ndarray) -> np.ndarray:
@@ -99,6 +85,7 @@ def at_limits(sky: PerezAllWeather, clearness: np.ndarray, brightness: np.ndarra
         sky.diffuse_horizontal_irradiance,
         sky.extraterrestrial_irradiance,
         sky.dew_point,
+        check="clamp",
     )
     before = free.conditions()
     held: np.ndarray = (before[0] != clearness) | (before[1] != brightness)
@@ -117,11 +104,9 @@ def neighbours(year: PerezYear, zenith: np.ndarray) -> tuple[PerezSkies, PerezSk
 
     Ours, not the paper's: it takes away the jumps at the edges of the bins.
     """
-    place = np.clip(np.searchsorted(BIN_CENTRES, year.clearness) - 1, 0, len(BIN_CENTRES) - 2)
-    low, high = BIN_CENTRES[place], BIN_CENTRES[place + 1]
-    weight = np.clip((year.clearness - low) / (high - low), 0.0, 1.0)
+    low, high, weight = bins_about(year.clearness)
     pair = []
     for centre in (low, high):
-        letters, _, _ = guarded_letters(centre, year.brightness, zenith)
-        pair.append(PerezSkies(letters, year.skies.suns, year.skies.floor))
+        letters = guarded_letters(centre, year.brightness, zenith, year.compat).letters
+        pair.append(PerezSkies(np.stack(letters), year.skies.suns, year.skies.floor))
     return pair[0], pair[1], weight

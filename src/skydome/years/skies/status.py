@@ -8,7 +8,7 @@ FLAGS = {
     "light_at_night": "irradiance while the sun is down: left out",
     "negative": "an irradiance just below 0 counts as 0",
     "part_lit": "the sun is up in part of the interval: taken at the middle of that part",
-    "no_diffuse": "sun up without diffuse irradiance: light 0",
+    "no_diffuse": "sun up without diffuse irradiance: the sky is black, the sun is kept",
     "clamped": "clearness or brightness beyond the model's limits",
     "bright_overcast": "b of the formula came out positive and is held at 0",
     "dark_sky": "the formula is negative all over: brightness taken as 0.2, the least that gendaylit allows there",
