@@ -9,10 +9,11 @@ import numpy as np
 from skydome.ground.arrays import Array, floating, is_array, is_numpy, namespace
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, evaluate, view_geometry
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.sky import ColourSky, SunlitSky
+from skydome.skies.sky import SunlitSky
 
 Recipe = tuple[Array, Quantity]
 """Coefficients (..., channels, 10) and what is made of the channels."""
