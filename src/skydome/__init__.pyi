@@ -49,8 +49,8 @@ from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspec
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
 from skydome.land.elevation import Elevation as Elevation
-from skydome.land.elevation import read_elevation as read_elevation
 from skydome.land.picture import render_terrain as render_terrain
+from skydome.land.reading import read_elevation as read_elevation
 from skydome.land.terrain_picture import TerrainPicture as TerrainPicture
 from skydome.light.colour import ACESCG as ACESCG
 from skydome.light.colour import RADIANCE as RADIANCE
