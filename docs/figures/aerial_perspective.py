@@ -16,8 +16,8 @@ import skydome as sd
 from skydome import deg
 from skydome.air.atmosphere import PREETHAM_HAZE
 from skydome.eye.view import Camera
-from skydome.land.elevation import read_elevation
 from skydome.land.picture import render_terrain
+from skydome.land.reading import read_elevation
 from skydome.land.texture import read_texture
 from skydome.light.colour import xyY_from_xyz, xyz_from_rgb
 

@@ -7,7 +7,7 @@ from PIL import Image
 import skydome as sd
 from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
 from skydome.light.spectrum import xyz_weights
-from skydome.skies.sky import SpectralSky
+from skydome.skies.colour_sky import SpectralSky
 
 deg = sd.deg
 WIDTH, HEIGHT, FOV = 560, 360, 70 * deg

@@ -49,8 +49,8 @@ from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspec
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
 from skydome.land.elevation import Elevation as Elevation
-from skydome.land.elevation import read_elevation as read_elevation
 from skydome.land.picture import render_terrain as render_terrain
+from skydome.land.reading import read_elevation as read_elevation
 from skydome.land.terrain_picture import TerrainPicture as TerrainPicture
 from skydome.light.colour import ACESCG as ACESCG
 from skydome.light.colour import RADIANCE as RADIANCE
@@ -68,11 +68,13 @@ from skydome.maps.equirectangular import Equirectangular as Equirectangular
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
 from skydome.maps.targets import target as target
+from skydome.skies.blend import blend as blend
 from skydome.skies.captured import CapturedSky as CapturedSky
 from skydome.skies.cie import CIE as CIE
 from skydome.skies.cie import CIEClear as CIEClear
 from skydome.skies.cie import CIEIntermediate as CIEIntermediate
-from skydome.skies.combination import blend as blend
+from skydome.skies.colour_sky import ColourSky as ColourSky
+from skydome.skies.colour_sky import SpectralSky as SpectralSky
 from skydome.skies.daylight_sky import Daylight as Daylight
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
@@ -90,9 +92,7 @@ from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
 from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
-from skydome.skies.sky import ColourSky as ColourSky
 from skydome.skies.sky import Sky as Sky
-from skydome.skies.sky import SpectralSky as SpectralSky
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun as AtmosphereSun
 from skydome.skies.suns.preetham_sun import PreethamSun as PreethamSun
 from skydome.skies.suns.sun_disc import SunDisc as SunDisc

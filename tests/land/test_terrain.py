@@ -10,8 +10,9 @@ from skydome import deg
 from skydome.eye.view import Camera
 from skydome.ground import exr
 from skydome.haze.aerial_perspective import AirLight
-from skydome.land.elevation import Elevation, read_elevation, without_holes
+from skydome.land.elevation import Elevation, without_holes
 from skydome.land.picture import pyramid_of, render_terrain
+from skydome.land.reading import read_elevation
 
 pytest.importorskip("numba")
 SUN = sd.direction(azimuth=240 * deg, elevation=35 * deg)

@@ -10,8 +10,9 @@ from PIL import Image
 import skydome as sd
 from skydome import deg
 from skydome.eye.view import Camera
-from skydome.land.elevation import Elevation, read_elevation
+from skydome.land.elevation import Elevation
 from skydome.land.picture import render_terrain
+from skydome.land.reading import read_elevation
 from skydome.land.texture import read_texture
 from skydome.light.colour import SRGB, decode_srgb
 

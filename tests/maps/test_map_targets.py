@@ -1,5 +1,7 @@
 """Each renderer sees the compass where it should: its own published formula finds the marks in our files."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -145,3 +147,10 @@ def test_compass_in_other_layouts(name, tmp_path):
         np.testing.assert_allclose(pixels[int(row), int(column)], colour, rtol=1e-3)
     row, column = np.unravel_index(np.argmax(pixels[..., 0]), pixels.shape[:2])
     assert convention.projection.directions(len(pixels))[row, column] @ SPOT > np.cos(3 * deg)
+
+
+def test_the_command_line_names_every_target():
+    from skydome.cli import options
+
+    names = [convention.name for convention in TARGETS]
+    assert re.findall(r"[\w-]+", options.Target.__metadata__[0].help.split(": ")[1].replace(" or ", ", ")) == names

@@ -4,7 +4,6 @@
 - options           What the commands ask for, each option written once
 - moment            The place, time and sun that the options ask for
 - models            The sky models by name, which class, which options it takes, its usual level
-- physical_models   The skies from first principles as models of the command line, what air, how long to trace
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
 - doors             Which files may be written, and what is shown on stderr while one waits

@@ -9,7 +9,8 @@ from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
     from skydome.skies.catalogue import Model
-    from skydome.skies.sky import ColourSky, Sky
+    from skydome.skies.colour_sky import ColourSky
+    from skydome.skies.sky import Sky
     from skydome.skies.suns.sun_disc import SunDisc
 
 

@@ -14,7 +14,8 @@ from skydome.dome.integrals import COLUMNS, RINGS, colourless, discs_and_rest, o
 from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.ground.quadrature import hemisphere
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Sky
 
 HIGHEST = 30
 

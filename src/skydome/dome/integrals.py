@@ -9,7 +9,8 @@ from skydome.ground.arrays import Array, at_least, constant, floating, is_array,
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
-from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
 RINGS, COLUMNS = 96, 192

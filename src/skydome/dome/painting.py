@@ -11,9 +11,10 @@ from skydome.dome.sky_rows import paint
 from skydome.ground.arrays import as_numpy
 from skydome.light.colour import RGBSpace
 from skydome.maps.projections import Equirectangular, Projection
+from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import Light, chosen, many_skies
 from skydome.skies.neural.fast import light_by_kernel, light_by_numpy
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.sky import Sky
 
 CHUNK = 1 << 17
 """Texels evaluated at a time in float64: about 25 MB of scratch memory."""

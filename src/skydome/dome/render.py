@@ -11,9 +11,10 @@ from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
+from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import checked_out
 from skydome.skies.hosek_wilkie import channel_albedo
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
 USUAL_ALBEDO = 0.2

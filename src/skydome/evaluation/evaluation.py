@@ -17,8 +17,8 @@ from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_from_radiance
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
-from skydome.skies.sky import SpectralSky
 
 NEAR_SUN = 20 * deg
 BAND = (400.0, 700.0)

@@ -11,9 +11,9 @@ from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.evaluation.evaluation import SkyOf
 from skydome.evaluation.measured_sky import MeasuredSky
 from skydome.skies.catalogue import CATALOGUE, AirModel, Model, TracedModel
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
-from skydome.skies.sky import SpectralSky
 
 GROUND = 98_500.0
 """Pressure at 280 m, Pa."""

@@ -4,9 +4,10 @@ import numpy as np
 
 from skydome.export.shader_languages import Language, number
 from skydome.light.colour import RGBSpace
+from skydome.skies.colour_sky import ColourSky
 from skydome.skies.daylight_sky import Daylight
 from skydome.skies.formula.fast import Light
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.sky import Sky
 
 LETTERS = ["level", "a", "b", "c", "d", "e", "f", "g", "h", "i"]
 Lines = list[tuple[str, str]]

@@ -9,7 +9,8 @@ from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Sky
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,8 +16,7 @@ from skydome.haze.fast import FastAir
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, optical_depth
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.combination import combine
-from skydome.skies.sky import Sky
+from skydome.skies.sky import Sky, combine
 
 MANY = 500
 """From so many directions on, the sky's scattered light is read from a table (error .2 %)."""

@@ -11,7 +11,8 @@ from skydome.haze.light import constant_or_own
 from skydome.light.colour import D65, SRGB, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
-from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
 BANDS = np.arange(380.0, 721.0, 10.0)

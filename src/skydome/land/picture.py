@@ -18,7 +18,8 @@ from skydome.haze.ward_larson import WardLarson
 from skydome.land.elevation import Elevation
 from skydome.land.terrain_picture import TerrainPicture
 from skydome.light.colour import rgb_from_xyz
-from skydome.skies.sky import ColourSky, Sky
+from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Sky
 
 REFRACTION = 7 / 6
 """By how much refraction flattens the Earth for a ray near the ground."""

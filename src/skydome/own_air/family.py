@@ -14,7 +14,7 @@ from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
 from skydome.own_air.refit import Views
-from skydome.skies.sky import SpectralSky
+from skydome.skies.colour_sky import SpectralSky
 
 SUNS = np.array([5, 6.5, 9, 12, 16, 22, 29, 37, 46, 56, 67, 78, 90.0]) * deg
 LOWEST_SUN = 5 * deg

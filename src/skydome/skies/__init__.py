@@ -1,8 +1,9 @@
 """The skies: one ladder, one file a model.
 
-- sky                The ladder of skies, luminance, then colour, then spectrum
-- combination        Sums of skies: sky and sun, clear and overcast, one sky made brighter
-- validity           Where a model holds: ranges as data, and what to do outside them
+- sky                The first rung of the ladder, skies whose luminance is known; sums of skies, such as sky and sun
+- colour_sky         The rungs above, skies whose colour is known, and their spectrum
+- blend              Skies between clear and overcast
+- validity           The parameters of a model: their ranges as data, what to do outside them, how they are told
 - uniform            Skies without a sun: the uniform sky and Moon and Spencer's overcast sky
 - cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
 - perez              The Perez sky from five letters

@@ -11,8 +11,8 @@ from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.lookup import equirectangular
 from skydome.maps.projections import Equirectangular
-from skydome.skies.combination import Combination, combine
-from skydome.skies.sky import ColourSky
+from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Combination, combine
 from skydome.skies.suns.sun_disc import SunDisc
 
 GLARE = np.radians(2.5)

@@ -11,6 +11,7 @@ from typing import Any
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST, UsualLevel
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
@@ -24,7 +25,7 @@ from skydome.skies.physical.held import held
 from skydome.skies.physical.held_tracing import Report, held_tracing
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.preetham import Preetham
-from skydome.skies.sky import Sky, SpectralSky, SunlitSky
+from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.uniform import MoonSpencer, Uniform
 from skydome.skies.validity import Check
 

@@ -8,8 +8,9 @@ import numpy as np
 from skydome.ground.arrays import Array, constant
 from skydome.light.colour import D65, SRGB, Chromaticity, RGBSpace, rgb_from_xyz, xyz_from_xyY
 from skydome.light.daylight import daylight_spectrum
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.fast import Light
-from skydome.skies.sky import Sky, SpectralSky, SunlitSky
+from skydome.skies.sky import Sky, SunlitSky
 
 
 @dataclass(frozen=True, eq=False)

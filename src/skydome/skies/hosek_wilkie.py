@@ -21,11 +21,11 @@ from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.spectrum import Spectrum, cie_1931, xyz_weights
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.quantity import Quantity
 from skydome.skies.formula.sky_tables import SkyTables, blended, control_weights
-from skydome.skies.sky import SpectralSky, plain
-from skydome.skies.validity import Range, require
+from skydome.skies.validity import Range, plain, require
 
 BANDS = np.arange(320.0, 721.0, 40.0)
 """Wavelengths of the spectral form's bands, nm."""

@@ -17,10 +17,10 @@ from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
 from skydome.ground.writing import appearing
 from skydome.light.daylight import daylight_weights
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.perez_formula import evaluate, from_perez
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.sky import SpectralSky
 from skydome.skies.validity import Range
 
 # Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2).

@@ -1,29 +1,26 @@
-"""The ladder of skies: luminance, then colour, then spectrum; each rung gives the ones below it for free.
+"""The sky, the first rung of the ladder, whose luminance is known; and sums of skies, clear and overcast, sky and sun.
 
 What a sky can do beside, it declares: `SunlitSky` has a sun, `knows_twilight`, `albedo` of its ground, the `single` sky
 that is behind a multiplied one, and the nine numbers of its luminance or RGB (`luminance_formula`, `rgb_formula`).
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import reduce
-from os import PathLike
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, constant, floating, namespace
+from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
-from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.formula.fast import Light
-from skydome.skies.validity import Check, Range, has_library, inside, require, require_check
+from skydome.skies.validity import Ranged
 from skydome.sun.day import is_day
 
 
 @dataclass(frozen=True, eq=False)
-class Sky(ABC):
+class Sky(Ranged, ABC):
     """A sky whose luminance is known: the first rung.
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
@@ -35,30 +32,15 @@ class Sky(ABC):
     5500.0
     """
 
-    ranges: ClassVar[Mapping[str, Range]] = {}
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False
     """Whether the sky still has light when the sun has set."""
     knows_level: ClassVar[bool] = False
     """Whether a sky that takes a level has one of its own where none is given."""
-    check: Check = field(default="raise", kw_only=True)
-
-    def __post_init__(self) -> None:
-        """Validate only; nothing is changed."""
-        require_check(self.check)
-        namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
-        if self.check == "raise":
-            for name, interval in self.limits.items():
-                require(name, getattr(self, name), interval)
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction (..., 3), cd m-2, shape (...,); 0 below the horizon."""
-
-    @property
-    def limits(self) -> Mapping[str, Range]:
-        """The ranges that hold for this sky: its class's, or those of the tables that it was given."""
-        return self.ranges
 
     @property
     def sunlit(self) -> "SunlitSky | None":
@@ -90,14 +72,6 @@ class Sky(ABC):
         """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
         return reduce(lambda a, b: a & b, self.checks(None) or [self.is_day])
 
-    def checks(self, like: Any) -> list[Array]:
-        """Where each parameter lies in its range, boolean arrays in the library of `like`."""
-        return [
-            inside(floating(getattr(self, name), like=like), interval)
-            for name, interval in self.limits.items()
-            if not isinstance(getattr(self, name), Spectrum)  # checked at construction
-        ]
-
     def seen(self, directions: Array) -> Array:
         """True toward directions (..., 3) that have light: above the horizon, by day."""
         return directions[..., 2] >= 0
@@ -117,27 +91,23 @@ class Sky(ABC):
         """The skies of which this one is the sum: itself, if it is no sum."""
         return (self,)
 
+    def kind_of_sum(self) -> "type[Combination]":
+        """The class of sums of skies on this rung."""
+        return Combination
+
     def luminance_formula(self) -> Light | None:
         """The nine numbers that make the luminance, and its sun, as flat NumPy arrays; None for other skies."""
         return None
 
     def __add__(self, other: "Sky") -> "Sky":
         """The light of both together, on the highest rung that both know."""
-        from skydome.skies.combination import combine
-
         return combine((self, other), (1.0, 1.0))
 
     def __mul__(self, factor: Any) -> "Sky":
         """The sky with its light multiplied by `factor`."""
-        from skydome.skies.combination import combine
-
         return combine((self,), (factor,))
 
     __rmul__ = __mul__
-
-    def parameters(self) -> dict[str, Any]:
-        """Class name and every parameter as plain numbers, lists and strings: the provenance that maps carry."""
-        return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,66 +161,86 @@ class SunlitSky(Sky):
         return self.is_day & super().seen(directions)
 
 
-class ColourSky(Sky):
-    """A sky whose colour is known: the second rung.
+@dataclass(frozen=True, eq=False)
+class Combination(Sky):
+    """The weighted sum of skies; answers on the highest rung that all of them know. Made by `+`, `*` and `blend`."""
 
-    >>> import skydome as sd
-    >>> sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0).rgb(sd.NORTH).shape
-    (3,)
-    """
+    members: tuple[Sky, ...]
+    weights: tuple[Any, ...]
 
-    @abstractmethod
-    def xyz(self, directions: Array) -> Array:
-        """CIE 1931 XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3)."""
+    @property
+    def parts(self) -> tuple[Sky, ...]:
+        """The members with their weights, flat, as single-member combinations where a weight is not 1."""
+        if len(self.members) == 1 and len(self.members[0].parts) == 1:
+            return (self,)
+        flat: list[Sky] = []
+        for sky, weight in zip(self.members, self.weights, strict=True):
+            flat += [part if is_one(weight) else combine((part,), (weight,)) for part in sky.parts]
+        return tuple(flat)
 
-    def rgb_formula(self, space: RGBSpace = SRGB) -> Light | None:
-        """The nine numbers that make the linear RGB, and its sun, as flat NumPy arrays; None for other skies."""
-        return None
+    @property
+    def valid(self) -> Array:
+        """True where every member is valid."""
+        return reduce(lambda a, b: a & b, [sky.valid for sky in self.members])
+
+    @property
+    def single(self) -> tuple[Sky, Any]:
+        """The one member and what multiplies its light; the sum itself and 1 where it has more."""
+        if len(self.members) > 1:
+            return self, 1.0
+        inner, factor = self.members[0].single
+        return inner, self.weights[0] * factor
+
+    @property
+    def albedo(self) -> Any:
+        """That of the first member that has one."""
+        return next((sky.albedo for sky in self.members if sky.albedo is not None), None)
+
+    @property
+    def has_night(self) -> bool:
+        """Whether some member goes dark with a sun."""
+        return any(sky.has_night for sky in self.members)
+
+    @property
+    def is_day(self) -> Array:
+        """True where every member has its sun up."""
+        days = [sky.is_day for sky in self.members if sky.has_night] or [np.asarray(True)]
+        return reduce(lambda a, b: a & b, days)
+
+    @property
+    def follows_one_sun(self) -> bool:
+        """True where night falls on every member by itself, or no member has a sun."""
+        return len({sky.has_night for sky in self.members}) == 1
+
+    def total(self, method: str, axes: int, *arguments: Any) -> Array:
+        """Sum over the members of weight x light, the light having `axes` trailing axes that weights lack."""
+        result: Array = None
+        for sky, weight in zip(self.members, self.weights, strict=True):
+            light = getattr(sky, method)(*arguments)
+            if not is_one(weight):
+                weight = floating(weight, like=light)
+                light = light * (weight[..., None] if axes and weight.ndim else weight)
+            result = light if result is None else result + light
+        if self.follows_one_sun:
+            return result
+        day = self.is_day[..., None] if axes else self.is_day
+        return namespace(result).where(day, result, result * 0)
 
     def luminance(self, directions: Array) -> Array:
-        """Luminance toward each direction, cd m-2, shape (...,): the Y of `xyz`."""
-        return self.xyz(directions)[..., 1]
-
-    def rgb(self, directions: Array, space: RGBSpace = SRGB) -> Array:
-        """Linear RGB toward each direction, scaled so that white of 1 cd m-2 is (1, 1, 1), shape (..., 3).
-
-        Colours outside the space have negative components; nothing is clipped here.
-        """
-        return rgb_from_xyz(self.xyz(directions), space)
+        """Luminance toward each direction, cd m-2, shape (...,)."""
+        return self.total("luminance", 0, directions)
 
 
-class SpectralSky(ColourSky):
-    """A sky whose spectrum is known: the third rung.
-
-    >>> import skydome as sd
-    >>> sd.HosekWilkie(sd.direction(2.0, 0.7), turbidity=3.0).radiance(sd.NORTH, [450.0, 650.0]).shape
-    (2,)
-    """
-
-    bands: ClassVar[np.ndarray] = np.arange(380.0, 781.0, 10.0)
-    """Wavelengths, nm, between which the model's spectrum is taken as linear when colours are integrated."""
-
-    @abstractmethod
-    def radiance(self, directions: Array, wavelengths: Any) -> Array:
-        """Spectral radiance toward each direction (..., 3) at wavelengths (W,) nm, W m-2 sr-1 nm-1, shape (..., W)."""
-
-    def xyz(self, directions: Array) -> Array:
-        """CIE XYZ by integrating `radiance` over `bands` against the CIE 1931 functions, shape (..., 3)."""
-        radiance = self.radiance(directions, self.bands)
-        return radiance @ constant(xyz_weights(self.bands), radiance)
+def is_one(weight: Any) -> bool:
+    """True for the plain number 1, which needs no multiplication."""
+    return isinstance(weight, int | float) and weight == 1
 
 
-def plain(value: Any) -> Any:
-    """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
-    if isinstance(value, Sky):
-        return value.parameters()
-    if isinstance(value, tuple | list):
-        return [plain(item) for item in value]
-    if value is None or isinstance(value, str | int | float | bool):
-        return value
-    if isinstance(value, PathLike):
-        return str(value)
-    if is_dataclass(value):
-        return {item.name: plain(getattr(value, item.name)) for item in fields(value)}
-    array = as_numpy(value)
-    return array.tolist() if array.size <= 64 else f"array{array.shape}"
+def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:
+    """The weighted sum of skies on the highest rung that all of them know."""
+    for sky in skies:
+        if not isinstance(sky, Sky):
+            raise TypeError(f"only skies can be added to a sky, got {type(sky).__name__}")
+    kinds = [sky.kind_of_sum() for sky in skies]
+    kind = next(kind for kind in kinds if all(issubclass(other, kind) for other in kinds))
+    return kind(tuple(skies), tuple(weights))

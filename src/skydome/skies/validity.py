@@ -1,10 +1,13 @@
-"""Where a model holds: ranges as data, and what to do outside them."""
+"""The parameters of a model: their ranges as data, what to do outside them, and how maps and files tell them."""
 
-from typing import Any, Literal, NamedTuple, cast
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from os import PathLike
+from typing import Any, ClassVar, Literal, NamedTuple, cast
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_array, is_compiling, is_concrete, limited
+from skydome.ground.arrays import Array, as_numpy, floating, is_array, is_compiling, is_concrete, limited, namespace
 from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
@@ -68,3 +71,52 @@ def require_check(check: str) -> Check:
 def has_library(value: Any) -> bool:
     """True for arrays that must share one library: all but NumPy's whole numbers, which are mere indices."""
     return is_array(value) and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
+
+
+@dataclass(frozen=True, eq=False)
+class Ranged:
+    """A dataclass of parameters with ranges, which it can tell; `check` says what happens outside (see `Sky`)."""
+
+    ranges: ClassVar[Mapping[str, Range]] = {}
+    check: Check = field(default="raise", kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Validate only; nothing is changed."""
+        require_check(self.check)
+        namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
+        if self.check == "raise":
+            for name, interval in self.limits.items():
+                require(name, getattr(self, name), interval)
+
+    @property
+    def limits(self) -> Mapping[str, Range]:
+        """The ranges that hold for this sky: its class's, or those of the tables that it was given."""
+        return self.ranges
+
+    def checks(self, like: Any) -> list[Array]:
+        """Where each parameter lies in its range, boolean arrays in the library of `like`."""
+        return [
+            inside(floating(getattr(self, name), like=like), interval)
+            for name, interval in self.limits.items()
+            if not isinstance(getattr(self, name), Spectrum)  # checked at construction
+        ]
+
+    def parameters(self) -> dict[str, Any]:
+        """Class name and every parameter as plain numbers, lists and strings: the provenance that maps carry."""
+        return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}
+
+
+def plain(value: Any) -> Any:
+    """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
+    if isinstance(value, Ranged):
+        return value.parameters()
+    if isinstance(value, tuple | list):
+        return [plain(item) for item in value]
+    if value is None or isinstance(value, str | int | float | bool):
+        return value
+    if isinstance(value, PathLike):
+        return str(value)
+    if is_dataclass(value):
+        return {item.name: plain(getattr(value, item.name)) for item in fields(value)}
+    array = as_numpy(value)
+    return array.tolist() if array.size <= 64 else f"array{array.shape}"

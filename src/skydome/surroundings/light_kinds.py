@@ -12,7 +12,8 @@ from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating,
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, checked_wavelengths
-from skydome.skies.sky import ColourSky, Sky, SpectralSky
+from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
 

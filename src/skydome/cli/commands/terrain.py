@@ -40,8 +40,8 @@ def terrain(
     import numpy as np
 
     from skydome.haze.aerial_perspective import AirLight
-    from skydome.land.elevation import read_elevation
     from skydome.land.picture import render_terrain
+    from skydome.land.reading import read_elevation
     from skydome.land.texture import read_texture
     from skydome.light.colour import SRGB
 

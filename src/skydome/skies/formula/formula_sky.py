@@ -18,11 +18,12 @@ from skydome.ground.arrays import (
 )
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
 from skydome.skies.formula.level import has_light, levelled, require_one_level
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, evaluate, view_geometry
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.sky import ColourSky, Sky, SunlitSky
+from skydome.skies.sky import Sky, SunlitSky
 
 Recipe = tuple[Array, Quantity]
 """Coefficients (..., channels, 10) and what is made of the channels."""

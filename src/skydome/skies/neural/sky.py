@@ -11,10 +11,11 @@ from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy,
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
 from skydome.light.spectrum import Spectrum, xyz_weights
+from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.neural.files import load_network, shipped_network
 from skydome.skies.neural.folding import Folded, folded
 from skydome.skies.neural.network import Network, conditions, features
-from skydome.skies.sky import ColourSky, SpectralSky, SunlitSky
+from skydome.skies.sky import SunlitSky
 from skydome.skies.validity import Range, require
 
 

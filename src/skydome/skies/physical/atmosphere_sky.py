@@ -8,7 +8,8 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array, at_least
 from skydome.light.spectrum import xyz_weights
-from skydome.skies.sky import SpectralSky, SunlitSky
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.sky import SunlitSky
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,10 +16,11 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, direction
 from skydome.ground.interpolation import weights
 from skydome.light.spectrum import xyz_weights
+from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.nishita import lit_columns
-from skydome.skies.sky import ColourSky, SpectralSky, SunlitSky
+from skydome.skies.sky import SunlitSky
 
 TERMS = 24
 CHUNK = 8192

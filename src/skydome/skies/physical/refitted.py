@@ -11,8 +11,9 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
 from skydome.ground.interpolation import cells, weights
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
-from skydome.skies.sky import SpectralSky, SunlitSky
+from skydome.skies.sky import SunlitSky
 
 OFFSET = 0.01
 """What is added to cos t in the gradation, as Hosek and Wilkie have it."""

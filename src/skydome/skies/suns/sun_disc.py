@@ -25,8 +25,9 @@ from skydome.ground.directions import angle_between, checked_directions, elevati
 from skydome.ground.interpolation import weights
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.hosek_wilkie import TURBIDITIES, band_weights
-from skydome.skies.sky import Sky, SpectralSky, SunlitSky
+from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import Range
 from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, radius_at, solar_radius
 
