@@ -12,7 +12,7 @@ from skydome.cli.main import app
 from skydome.own_air.family import SkyFamily
 from skydome.own_air.grid import Grid, simulate
 from skydome.own_air.preetham_fit import preetham_fit
-from skydome.skies.preetham import PUBLISHED, PreethamNumbers, RefittedPreetham
+from skydome.skies.preetham import PreethamNumbers
 
 pytest.importorskip("scipy")
 W = np.arange(380.0, 781.0, 5.0)
@@ -36,19 +36,19 @@ def own():
 
 def test_preethams_skies_give_back_his_numbers(own):
     """Luminance to the paper's digits; x and y as far as the daylight series' own chromaticity, 6e-5, allows."""
-    np.testing.assert_allclose(own.letters_Y, PUBLISHED.letters_Y, atol=5e-5)
-    np.testing.assert_allclose(own.zenith_Y, PUBLISHED.zenith_Y, atol=5e-5)
+    np.testing.assert_allclose(own.letters_Y, PreethamNumbers.PRINTED.letters_Y, atol=5e-5)
+    np.testing.assert_allclose(own.zenith_Y, PreethamNumbers.PRINTED.zenith_Y, atol=5e-5)
     for name in ("letters_x", "letters_y", "zenith_x", "zenith_y"):
-        np.testing.assert_allclose(getattr(own, name), getattr(PUBLISHED, name), atol=2e-3)
+        np.testing.assert_allclose(getattr(own, name), getattr(PreethamNumbers.PRINTED, name), atol=2e-3)
     assert own.turbidity == (2.0, 6.0)
 
 
 def test_the_refitted_sky_is_the_sky(own):
     views, sun = sd.direction(np.arange(60) * 2.4, np.arcsin(np.linspace(0.02, 1, 60))), sd.direction(1.0, 0.6)
-    away = RefittedPreetham(sun, 3.4, own).xyY(views) - sd.Preetham(sun, 3.4).xyY(views)
+    away = sd.Preetham(sun, 3.4, own).xyY(views) - sd.Preetham(sun, 3.4).xyY(views)
     assert np.abs(away[:, :2]).max() < 3e-4
     np.testing.assert_allclose(
-        RefittedPreetham(sun, 3.4, own).luminance(views), sd.Preetham(sun, 3.4).luminance(views), rtol=1e-4
+        sd.Preetham(sun, 3.4, own).luminance(views), sd.Preetham(sun, 3.4).luminance(views), rtol=1e-4
     )
 
 
@@ -66,18 +66,16 @@ def test_physical_skies_are_fitted_better_than_preetham_has_them():
             found.append(share @ (kind(sun, 3.0, *more).luminance(family.views.directions) / truth - 1) ** 2)
         return float(np.sqrt(np.mean(found)))
 
-    assert error(RefittedPreetham, numbers) < 0.2 < 0.5 < error(sd.Preetham)
+    assert error(sd.Preetham, numbers) < 0.2 < 0.5 < error(sd.Preetham)
 
 
 def test_the_file_and_what_is_no_such_file(own, tmp_path):
     own.save(tmp_path / "own.json")
     again = PreethamNumbers.load(tmp_path / "own.json")
     sun = sd.direction(1.0, 0.6)
-    assert RefittedPreetham(sun, 3.0, again).luminance(sd.ZENITH) == RefittedPreetham(sun, 3.0, own).luminance(
-        sd.ZENITH
-    )
+    assert sd.Preetham(sun, 3.0, again).luminance(sd.ZENITH) == sd.Preetham(sun, 3.0, own).luminance(sd.ZENITH)
     with pytest.raises(ValueError, match=r"turbidity must lie in \[2, 6\], got 7"):
-        RefittedPreetham(sun, 7.0, again)
+        sd.Preetham(sun, 7.0, again)
     short = json.loads((tmp_path / "own.json").read_text()) | {"zenith_Y": [1, 2]}
     for text, message in (
         ("{", "holds no numbers"),
@@ -105,7 +103,7 @@ def test_the_command_fits_a_store(tmp_path):
     run = CliRunner().invoke(app, ["fit", str(store), "--form", "preetham", "-o", str(tmp_path / "n.json"), "--json"])
     assert run.exit_code == 0, run.output
     numbers = PreethamNumbers.load(tmp_path / "n.json")
-    sky = RefittedPreetham(sd.direction(np.pi, 0.7), 3.0, numbers)
+    sky = sd.Preetham(sd.direction(np.pi, 0.7), 3.0, numbers)
     air = sd.Atmosphere.standard(2 * float(rayleigh_depth([550.0])[0]), albedo=0.0, aerosol_albedo=1.0)
     views = sd.direction(np.arange(40) * 2.4, np.arcsin(np.linspace(0.2, 1, 40)))
     truth = sd.DiscreteOrdinates(sd.direction(np.pi, 0.7), air).luminance(views)

@@ -8,7 +8,7 @@ import numpy as np
 
 import skydome as sd
 from skydome.skies.physical.refitted import Refitted
-from skydome.skies.preetham import RefittedPreetham
+from skydome.skies.preetham import PreethamNumbers
 
 
 def irradiances(sun, one):
@@ -32,7 +32,7 @@ SKIES = {
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "perez-smooth": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), smooth=True),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
-    "preetham-refitted": lambda sun, one: RefittedPreetham(sun, one * 3.2),
+    "preetham-authors": lambda sun, one: sd.Preetham(sun, one * 3.2, PreethamNumbers.AUTHORS),
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "daylight": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),

@@ -46,10 +46,11 @@ def test_perez_keeps_the_given_irradiance(elevation, direct, diffuse):
     assert light.any() == sky.valid  # a sky that is black all over is not valid
     if not light.any():
         return
-    if not light.all():  # the edge of a partly black sky asks the rule that checks for more nodes
+    whole = light.all()
+    if not whole:  # the edge of a partly black sky asks the rule that checks for more nodes
         directions, weights = hemisphere(1000, 1000)
         light = sky.broadband_radiance(directions)
-    assert float(np.sum(light * directions[:, 2] * weights)) == pytest.approx(diffuse, rel=4e-4)
+    assert float(np.sum(light * directions[:, 2] * weights)) == pytest.approx(diffuse, rel=4e-4 if whole else 1e-3)
 
 
 def test_perez_level_against_a_dense_rule():

@@ -16,7 +16,7 @@ from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
 from skydome.light.spectrum import Spectrum
 
-__all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "Atmosphere"]
+__all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "USUAL_ALBEDO", "Atmosphere"]
 
 
 def grass() -> Spectrum:
@@ -24,6 +24,9 @@ def grass() -> Spectrum:
     table = columns("grass_albedo")
     return Spectrum(table["wavelength_nm"], table["albedo"])
 
+
+USUAL_ALBEDO = 0.2
+"""Albedo of the ground where nobody says, of every sky model: dry land."""
 
 DARK_GREEN = Spectrum([499.0, 500.0], [0.04, 0.08])
 """A plain picture of vegetated ground: 0.04 below 500 nm, 0.08 above."""
@@ -48,7 +51,7 @@ class Atmosphere:
     """
 
     constituents: tuple[Constituent, ...] = field(default_factory=lambda: (Molecules(), Aerosol(), Ozone()))
-    albedo: Any = 0.1
+    albedo: Any = USUAL_ALBEDO
     radius: float = EARTH_RADIUS
     height: float = 100_000.0
     sunlight: Spectrum | None = None
@@ -69,7 +72,7 @@ class Atmosphere:
         asymmetry: float = 0.76,
         pressure: float = 101325.0,
         ozone: float = 330.0,
-        albedo: ArrayLike | Spectrum = 0.1,
+        albedo: ArrayLike | Spectrum = USUAL_ALBEDO,
         phase: PhaseLaw | None = None,
         aerosol_albedo: ArrayLike | Spectrum = 0.92,
         sun_scale: float = 1.0,
@@ -88,7 +91,7 @@ class Atmosphere:
         turbidity: float,
         aerosol: Aerosol = CONTINENTAL,
         *,
-        albedo: ArrayLike | Spectrum = 0.1,
+        albedo: ArrayLike | Spectrum = USUAL_ALBEDO,
         ozone: float = 330.0,
     ) -> "Atmosphere":
         """Air with so much of an aerosol as the turbidity says, 1 is clean air; ValueError outside [1, 64].

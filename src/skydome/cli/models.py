@@ -6,12 +6,17 @@ from skydome.cli.doors import progress
 from skydome.cli.options import SkyOptions, numbers, option_name, relative_error, set_by_name
 
 if TYPE_CHECKING:
+    from skydome.cli.moment import Moment
     from skydome.skies.catalogue import Model
+    from skydome.skies.formula.level import UsualLevel
     from skydome.skies.sky import Sky
 
 LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
-OPTIONAL = ("turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "letters", "tables", "until", "paths")
+OPTIONAL = (
+    "turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers", "tables",
+    "until", "paths",
+)  # fmt: skip
 
 
 def turbidity_of(options: SkyOptions) -> float:
@@ -54,11 +59,15 @@ def given_parameters(model: "Model", options: SkyOptions) -> dict[str, Any]:
     return {name: value for name, value in found.items() if value is not None}
 
 
-def build(model: "Model", sun: Any, options: SkyOptions) -> "tuple[Sky, list[str]]":
-    """The sky, and what to say of choices that were made for the user. `sun` may be None for a sky without one."""
+def build(model: "Model", moment: "Moment | None", options: SkyOptions) -> "tuple[Sky, list[str]]":
+    """The sky, and what to say of choices that were made for the user. `moment` may be None for a sky without a sun."""
     refuse_what_it_does_not_take(model, options)
     given = given_parameters(model, options)
     notes = model.remarks(given)
+    sun = None if moment is None else moment.direction
+    if moment is not None and moment.distance is not None and (known := model.at_distance(moment.distance)):
+        given = known | given
+        notes.append(f"sun: {moment.distance:.4f} AU away on that day")
     if model.level_name:
         level, more = level_of(model, sun, options)
         given, notes = given | level, notes + more
@@ -75,20 +84,35 @@ def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, f
     given = {name: getattr(options, name) for name in LEVELS if getattr(options, name) is not None}
     notes: list[str] = []
     if not given:
+        if model.kind.knows_level:
+            return {}, []
         if model.level is None or sun is None:
             raise ValueError(f"{model.name} needs a level: --zenith-luminance (cd m-2) or --illuminance (lx)")
-        turbidity = turbidity_of(options)
-        value = float(model.level.zenith_luminance(sun, turbidity))
-        haze = f" (turbidity {turbidity:g})" if model.level.by_turbidity else ""
-        given, notes = (
-            {"zenith_luminance": value},
-            [f"level: {model.level.whose}, {value:.0f} cd m-2 at the zenith{haze}"],
-        )
+        given, note = usual_level(model, model.level, sun, turbidity_of(options))
+        notes = [note]
     if "illuminance" in given and "illuminance" not in model.needed:
         given = by_unit_sky(model, sun, given)
     return {
         str(model.level_name) if name == "zenith_luminance" else name: value for name, value in given.items()
     }, notes
+
+
+def usual_level(model: "Model", level: "UsualLevel", sun: Any, turbidity: float) -> tuple[dict[str, float], str]:
+    """The level that a kind of sky usually has, and what to say of it.
+
+    A clear sky's zenith luminance, up to 75 degrees of the sun; above, the illuminance that the model has there.
+    """
+    import skydome as sd
+    from skydome.skies.formula.level import HIGHEST
+
+    haze = f" (turbidity {turbidity:g})" if level.by_turbidity else ""
+    high = level.by_turbidity and float(sd.elevation(sun)) > HIGHEST
+    at = sd.direction(float(sd.azimuth(sun)), HIGHEST) if high else sun
+    value = float(level.zenith_luminance(at, turbidity))
+    if not high:
+        return {"zenith_luminance": value}, f"level: {level.whose}, {value:.0f} cd m-2 at the zenith{haze}"
+    light = float(sd.illuminance(model.make(at, {str(model.level_name): value})))
+    return {"illuminance": light}, f"level: {level.whose} under a sun of 75 degrees, {light:.0f} lx{haze}"
 
 
 def by_unit_sky(model: "Model", sun: Any, given: dict[str, float]) -> dict[str, float]:

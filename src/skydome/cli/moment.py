@@ -26,12 +26,13 @@ def place_text(latitude: float, longitude: float, altitude: float) -> str:
 
 @dataclass(frozen=True)
 class Moment:
-    """Where the sun stands, `direction` (3,), its angular radius (rad), and the place and time if these were given."""
+    """Where the sun stands, `direction` (3,), its angular radius (rad); place, time and distance (AU) if given."""
 
     direction: Any
     radius: float
     place: "Place | None" = None
     time: datetime | None = None
+    distance: float | None = None
 
     @property
     def elevation(self) -> float:
@@ -70,7 +71,11 @@ def moment_of(options: SunOptions) -> Moment:
         raise ValueError(f"the sun must be given by --place and --time, or by --sun AZ,EL; missing: {missing}")
     place, time = sd.Place.parse(options.place), aware_time(options.time, options.zone)
     return Moment(
-        sd.sun_direction(place, time, refraction=options.refraction), float(sd.solar_radius(time)), place, time
+        sd.sun_direction(place, time, refraction=options.refraction),
+        float(sd.solar_radius(time)),
+        place,
+        time,
+        float(sd.earth_sun_distance(time)),
     )
 
 

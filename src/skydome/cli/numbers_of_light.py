@@ -1,10 +1,13 @@
 """The numbers of a sky: luminance, illuminance and colour temperature, as JSON has them and as a table shows them."""
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from skydome.cli.moment import place_text
 from skydome.cli.scene import Scene
+
+if TYPE_CHECKING:
+    from skydome.skies.sky import Sky
 
 
 def light_facts(scene: Scene) -> dict[str, Any]:
@@ -21,6 +24,7 @@ def light_facts(scene: Scene) -> dict[str, Any]:
         "model": scene.name,
         "parameters": scene.whole.parameters(),
         "valid": bool(scene.sky.valid),
+        "outside_ranges": outside_ranges(scene.whole),
         "zenith_luminance_cd_m2": float(zenith[1]),
         "illuminance_lx": {
             "diffuse": float(diffuse[1]),
@@ -73,8 +77,31 @@ def sky_rows(facts: dict[str, Any]) -> dict[str, str]:
     rows = {}
     if "sun" in facts:
         rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])
-    outside = "" if facts["valid"] else "  (outside its range: extrapolated or clamped)"
-    return rows | {"model": facts["model"] + outside, "parameters": parameters_text(facts["parameters"])}
+    rows |= {"model": facts["model"], "parameters": parameters_text(facts["parameters"])}
+    told = [
+        "{model}'s {parameter} {given:g} is outside [{low:g}, {high:g}]".format(**each)
+        + (": no light (nan)" if each["used"] is None else f": {each['used']:g} is taken")
+        for each in facts["outside_ranges"]
+    ]
+    if not facts["valid"] and not told:
+        told = ["no light that the model knows: the sun has set, or nothing shines"]
+    return rows | ({"not valid": "\n".join(told)} if told else {})
+
+
+def outside_ranges(sky: "Sky") -> list[dict[str, Any]]:
+    """What lies outside a model's range in a sky's parts, and what is taken for it: None where there is no light."""
+    found = []
+    for part in sky.parts:
+        inner = part.single[0]
+        model = inner.sunlit or inner
+        for name, span in model.outside().items():
+            given = float(getattr(model, name))
+            used = None if model.check == "nan" else min(max(given, span.low), span.high)
+            found.append(
+                {"model": type(model).__name__, "parameter": name, "given": given, "low": span.low, "high": span.high}
+                | {"used": used}
+            )
+    return found
 
 
 def notes_row(notes: list[str]) -> dict[str, str]:
@@ -101,7 +128,7 @@ def parameters_text(parameters: dict[str, Any]) -> str:
         return " + ".join(("" if weight == 1 else f"{weight:g} × ") + parameters_text(part) for part, weight in parts)
     inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict) and "model" in value]
     shown = [
-        f"{name} {value:g}" if isinstance(value, int | float) else f"{name} {value}"
+        f"{name} {value:g}" if isinstance(value, int | float) and not isinstance(value, bool) else f"{name} {value}"
         for name, value in parameters.items()
         if name not in ("model", "sun", "check") and value is not None and not isinstance(value, dict)
     ]

@@ -79,6 +79,18 @@ class SkyOptions(SunOptions):
     compat: Annotated[
         str | None, Option(metavar="paper|gendaylit", help="Whose limits perez-all-weather has.", rich_help_panel=AIR)
     ] = None
+    smooth: Annotated[
+        bool | None,
+        Option("--smooth", help="No jumps between bins of clearness (perez-all-weather).", rich_help_panel=AIR),
+    ] = None
+    numbers: Annotated[
+        str | None,
+        Option(
+            metavar="printed|authors|FILE",
+            help="Preetham's numbers: the paper's, the authors' five digits, or a .json by `skydome fit`.",
+            rich_help_panel=AIR,
+        ),
+    ] = None
     tables: Annotated[
         Path | None,
         Option(metavar="FILE", help="Tables of one's own by `skydome fit` (hosek-wilkie).", rich_help_panel=AIR),

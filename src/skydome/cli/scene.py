@@ -32,8 +32,7 @@ def scene_of(options: SkyOptions) -> Scene:
 
     model = model_named(options.model)
     moment = moment_for(model, options)
-    sun = None if moment is None else moment.direction
-    sky, notes = build(model, sun, options)
+    sky, notes = build(model, moment, options)
     coloured, more = in_colour(sky, options)
     disc, last = disc_for(model, coloured, moment, options)
     notes += more + last

@@ -31,7 +31,7 @@ LOW, HIGH = (-10.0, -10.0, -100.0, -30.0, -10.0), (10.0, -1e-3, 100.0, -1e-2, 10
 
 
 def preetham_fit(family: SkyFamily, albedo: float = 0.0) -> PreethamNumbers:
-    """Preetham's numbers fitted to a family of skies over ground of an albedo; `RefittedPreetham` is their sky.
+    """Preetham's numbers fitted to a family of skies over ground of an albedo, for `Preetham(sun, turbidity, numbers)`.
 
     Differences are relative, weighted by solid angle, alike for all skies. ValueError for fewer than three turbidities
     or four suns, for a spectrum without all of 400-700 nm, and for light that is not positive.

@@ -5,11 +5,12 @@ A new model is its file and a row in `CATALOGUE`. What the class itself tells (f
 """
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields, replace
 from difflib import get_close_matches
 from typing import Any
 
-from skydome.air.atmosphere import Atmosphere
+from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
+from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
@@ -24,12 +25,12 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.held import held
 from skydome.skies.physical.held_tracing import Report, held_tracing
 from skydome.skies.physical.nishita import Nishita93, Nishita96
-from skydome.skies.preetham import Preetham
+from skydome.skies.preetham import Preetham, PreethamNumbers
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.uniform import MoonSpencer, Uniform
 from skydome.skies.validity import Check
 
-USUAL = {"turbidity": 3.0, "albedo": 0.2}
+USUAL = {"turbidity": 3.0, "albedo": USUAL_ALBEDO}
 """What is taken where nobody says: clear air over dry land."""
 
 
@@ -90,6 +91,11 @@ class Model:
         parameters = {**self.fixed, **(given or {})} | ({"sun": sun} if self.has_sun else {})
         return self.kind(**parameters, check=check)
 
+    def at_distance(self, distance: float) -> dict[str, float]:
+        """The parameters that say that the sun is so far away, AU; none for models that do not know it."""
+        known = "extraterrestrial_irradiance" in self.takes
+        return {"extraterrestrial_irradiance": SOLAR_CONSTANT / distance**2} if known else {}
+
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """What was chosen for the user who gave these parameters, a line each."""
         return []
@@ -97,13 +103,37 @@ class Model:
 
 @dataclass(frozen=True)
 class NeuralModel(Model):
-    """A network by name: `fixed["network"]` is one that the package carries, or a file."""
+    """A network by name: `fixed["network"]` is one that the package carries, or a file; `ground` what it learned on."""
+
+    ground: float | None = None
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """The ground, where the network knows one only."""
+        return [] if self.ground is None else [f"ground: albedo {self.ground:g}, the only one that the network learned"]
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
     ) -> Sky:
         """The sky of the network."""
         return super().make(sun, {**(given or {}), "network": read_network(self.fixed["network"])}, check, report)
+
+
+@dataclass(frozen=True)
+class PreethamModel(Model):
+    """Preetham's sky by the `numbers` that a word names, `printed` or `authors`, or that a .json file holds."""
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky."""
+        asked = dict(given or {})
+        if isinstance(numbers := asked.get("numbers"), str):
+            asked["numbers"] = PreethamNumbers.named(numbers)
+        return super().make(sun, asked, check, report)
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """Whose numbers."""
+        return [f"numbers: {given['numbers']}"] if given.get("numbers") else []
 
 
 @dataclass(frozen=True)
@@ -115,7 +145,12 @@ class AirModel(Model):
     def air(self, given: Mapping[str, Any]) -> Any:
         """Air of the usual aerosol."""
         asked = USUAL | dict(given)
-        return Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
+        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
+        return replace(air, sun_scale=asked.get("sun_scale", 1.0))
+
+    def at_distance(self, distance: float) -> dict[str, float]:
+        """The sun's strength."""
+        return {"sun_scale": distance**-2}
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
@@ -126,10 +161,13 @@ class AirModel(Model):
 
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """The air."""
-        turbidity = (USUAL | dict(given))["turbidity"]
+        turbidity, albedo = ((USUAL | dict(given))[name] for name in ("turbidity", "albedo"))
         aerosol, ozone = self.air(given).constituents[1:]
         depth, lobe = f"{aerosol.optical_depth:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
-        return [f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU"]
+        return [
+            f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU",
+            f"ground: albedo {albedo:g}",
+        ]
 
 
 @dataclass(frozen=True)
@@ -154,7 +192,10 @@ def cie_model(kind: int) -> Model:
 
 
 HAZE = ("sun", "turbidity")
-MEASURED = ("direct_normal_irradiance", "diffuse_horizontal_irradiance", "dew_point", "compat")
+MEASURED = (
+    "direct_normal_irradiance", "diffuse_horizontal_irradiance", "extraterrestrial_irradiance", "dew_point", "compat",
+    "smooth",
+)  # fmt: skip
 
 CATALOGUE: tuple[Model, ...] = (
     Model(
@@ -167,17 +208,22 @@ CATALOGUE: tuple[Model, ...] = (
         failures="at the turbidity that fits best 40 % too bright away from the sun and too dark round it",
     ),
     Model("hosek-wilkie-rgb", HosekWilkieRGB, ("turbidity", "albedo"), fitted=HAZE, lesson="hosek-wilkie"),
-    Model(
+    PreethamModel(
         "preetham",
         Preetham,
-        ("turbidity",),
+        ("turbidity", "numbers"),
         fitted=HAZE,
         lesson="preetham",
         failures="about twice too bright away from the sun; far too bright round it",
     ),
     *(
-        NeuralModel(f"neural-{network}", NeuralSky, ("turbidity",), {"network": network})
-        for network in ("preetham", "hosek-wilkie", "hosek-wilkie-compact", "hosek-wilkie-deep")
+        NeuralModel(f"neural-{network}", NeuralSky, ("turbidity",), {"network": network}, ground=ground)
+        for network, ground in (
+            ("preetham", None),
+            ("hosek-wilkie", 0.5),
+            ("hosek-wilkie-compact", 0.5),
+            ("hosek-wilkie-deep", 0.5),
+        )
     ),
     NeuralModel(
         "neural-hosek-wilkie-spectral",

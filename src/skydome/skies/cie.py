@@ -9,6 +9,7 @@ from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
 from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
+from skydome.skies.formula.level import CLEAR_SHAPE
 from skydome.skies.formula.perez_formula import from_perez, view_geometry
 from skydome.skies.sky import SunlitSky
 
@@ -70,8 +71,7 @@ class CIEClear(LuminanceFormulaSky):
 
     def relative_coefficients(self) -> Array:
         """R A ... I with R = 1, shape (1, 10)."""
-        a, b, c, d, e = (constant(value, self.sun) for value in (-1.0, -0.32, 10.0, -3.0, 0.45))
-        return from_perez(1.0, a, b, c, d, e, 0.91)
+        return constant(CLEAR_SHAPE, self.sun)
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,6 +14,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.air.atmosphere import USUAL_ALBEDO
 from skydome.ground.arrays import Array, constant, floating, limited, namespace, settled
 from skydome.ground.directions import elevation
 from skydome.ground.interpolation import weights
@@ -86,7 +87,7 @@ class HosekWilkieForm(ColourFormulaSky):
     """What the native forms share: sun, turbidity 1-10, and ground albedo 0-1 (a number, an array, or a `Spectrum`)."""
 
     turbidity: Any
-    albedo: Any = 0.2
+    albedo: Any = USUAL_ALBEDO
     ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "albedo": ALBEDO}
     offset: ClassVar[float] = 0.01
     source: ClassVar[str] = "Hosek and Wilkie 2012, eq. 8; tables of 2013, version 1.4a"

@@ -27,10 +27,15 @@ from skydome.skies.validity import Range
 LETTERS_Y = ((0.1787, -1.4630), (-0.3554, 0.4275), (-0.0227, 5.3251), (0.1206, -2.5771), (-0.0670, 0.3703))
 LETTERS_x = ((-0.0193, -0.2592), (-0.0665, 0.0008), (-0.0004, 0.2125), (-0.0641, -0.8989), (-0.0033, 0.0452))
 LETTERS_y = ((-0.0167, -0.2608), (-0.0950, 0.0092), (-0.0079, 0.2102), (-0.0441, -1.6537), (-0.0109, 0.0529))
-# Rows T^2, T, 1; columns ts^3, ts^2, ts, 1 (A.2).
+# Rows T^2, T, 1; columns ts^3, ts^2, ts, 1 (A.2), as printed, then with the five digits of the authors' own program.
 ZENITH_x = ((0.0017, -0.0037, 0.0021, 0.000), (-0.0290, 0.0638, -0.0320, 0.0039), (0.1169, -0.2120, 0.0605, 0.2589))
 ZENITH_y = ((0.0028, -0.0061, 0.0032, 0.000), (-0.0421, 0.0897, -0.0415, 0.0052), (0.1535, -0.2676, 0.0667, 0.2669))
-
+AUTHORS_x = (
+    (0.00166, -0.00375, 0.00209, 0.0), (-0.02903, 0.06377, -0.03202, 0.00394), (0.11693, -0.21196, 0.06052, 0.25886),
+)  # fmt: skip
+AUTHORS_y = (
+    (0.00275, -0.00610, 0.00317, 0.0), (-0.04214, 0.08970, -0.04153, 0.00516), (0.15346, -0.26756, 0.06670, 0.26688),
+)  # fmt: skip
 
 # Slope and constant in T of what multiplies tan chi, and of what is added, kcd m-2 (A.2).
 ZENITH_Y = (4.0453, -4.9710, -0.2155, 2.4192)
@@ -43,7 +48,15 @@ class PreethamNumbers:
 
     `zenith_Y` (4): slope and constant in T of what multiplies tan chi and of what is added, kcd m-2, `chi` (2) those of
     chi; `zenith_x` and `zenith_y`: rows T^2, T, 1, columns cubic in the sun's zenith angle. `turbidity`: least, most.
+    `PRINTED` are the paper's, `AUTHORS` those of its authors' program, with five digits in the zenith's chromaticity:
+    what other programs compute.
+
+    >>> [round(each.zenith_x[0][0], 5) for each in (PreethamNumbers.PRINTED, PreethamNumbers.AUTHORS)]
+    [0.0017, 0.00166]
     """
+
+    PRINTED: ClassVar["PreethamNumbers"]
+    AUTHORS: ClassVar["PreethamNumbers"]
 
     letters_Y: tuple[tuple[float, ...], ...]
     letters_x: tuple[tuple[float, ...], ...]
@@ -75,8 +88,17 @@ class PreethamNumbers:
         except (TypeError, ValueError) as error:
             raise ValueError(f"{path} holds no numbers of Preetham's model: {error}") from error
 
+    @classmethod
+    def named(cls, name: str) -> "PreethamNumbers":
+        """Those that a word names, `printed` or `authors`, or that a .json file holds; ValueError for anything else."""
+        known = {"printed": cls.PRINTED, "authors": cls.AUTHORS}
+        if name not in known and not name.endswith(".json"):
+            raise ValueError(f"numbers must be printed, authors or a .json file of `skydome fit`, got {name!r}")
+        return known[name] if name in known else cls.load(name)
 
-PUBLISHED = PreethamNumbers(LETTERS_Y, LETTERS_x, LETTERS_y, ZENITH_Y, ZENITH_x, ZENITH_y)
+
+PreethamNumbers.PRINTED = PreethamNumbers(LETTERS_Y, LETTERS_x, LETTERS_y, ZENITH_Y, ZENITH_x, ZENITH_y)
+PreethamNumbers.AUTHORS = PreethamNumbers(LETTERS_Y, LETTERS_x, LETTERS_y, ZENITH_Y, AUTHORS_x, AUTHORS_y)
 
 
 def zenith_chi(turbidity: Array, sun_zenith: Array, chi: tuple[float, ...] = CHI) -> Array:
@@ -108,6 +130,9 @@ def letters(turbidity: Array, rows: tuple[tuple[float, ...], ...]) -> list[Array
 class Preetham(ColourFormulaSky, SpectralSky):
     """The clear sky of Preetham, Shirley and Smits 1999, for turbidity 2-6.
 
+    `numbers` are the paper's as printed; with `PreethamNumbers.AUTHORS` it is the sky of other programs (their zenith
+    differs by up to 0.0135 in x or y), with a fit of one's own (`skydome.own_air.preetham_fit`) that of another air.
+
     Known errors: too bright at low turbidity near a low sun, too little darkening toward the horizon, no ground
     albedo (docs/models/preetham.md gives figures). `radiance` is the paper's A.5: the CIE daylight series at the sky's
     chromaticity, 380-780 nm.
@@ -120,6 +145,7 @@ class Preetham(ColourFormulaSky, SpectralSky):
     """
 
     turbidity: Any
+    numbers: PreethamNumbers = PreethamNumbers.PRINTED
     ranges: ClassVar = {"turbidity": Range(2.0, 6.0)}
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2"
 
@@ -129,13 +155,13 @@ class Preetham(ColourFormulaSky, SpectralSky):
         return self.turbidity
 
     @property
-    def used(self) -> PreethamNumbers:
-        """The model's numbers: those published."""
-        return PUBLISHED
+    def limits(self) -> dict[str, Range]:
+        """The turbidities that were fitted."""
+        return {"turbidity": Range(self.numbers.turbidity[0], self.numbers.turbidity[1])}
 
     def coefficients(self) -> Array:
         """R A ... I of the channels x, y, Y, shape (..., 3, 10)."""
-        numbers = self.used
+        numbers = self.numbers
         sun_zenith, turbidity = zenith_angle(self.sun), self.parameter("turbidity")
         xp = namespace(sun_zenith, turbidity)
         below = sun_zenith < np.pi / 2
@@ -172,28 +198,3 @@ class Preetham(ColourFormulaSky, SpectralSky):
     def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
         """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5). See `light`."""
         return self.light(directions, self.radiance_recipe(wavelengths), out)
-
-
-@dataclass(frozen=True, eq=False)
-class RefittedPreetham(Preetham):
-    """Preetham's model with a `table` of numbers of one's own (by `skydome.own_air.preetham_fit`).
-
-    >>> import skydome as sd
-    >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
-    >>> same = RefittedPreetham(sun, 3.0, PUBLISHED).luminance(sd.ZENITH) == sd.Preetham(sun, 3.0).luminance(sd.ZENITH)
-    >>> bool(same)
-    True
-    """
-
-    table: PreethamNumbers = PUBLISHED
-    source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2, fitted anew"
-
-    @property
-    def limits(self) -> dict[str, Range]:
-        """The turbidities that were fitted."""
-        return {"turbidity": Range(self.table.turbidity[0], self.table.turbidity[1])}
-
-    @property
-    def used(self) -> PreethamNumbers:
-        """The model's numbers: those given."""
-        return self.table

@@ -16,7 +16,7 @@ def light_series(sky: FormulaSky, recipe: Recipe, directions: Array, out: np.nda
     directions = np.asarray(as_numpy(directions))
     if directions.ndim != 2:
         raise ValueError(f"directions must have shape (D, 3), got {directions.shape}")
-    light = sky.numbers((as_numpy(recipe[0]), recipe[1]))
+    light = sky.flat_numbers((as_numpy(recipe[0]), recipe[1]))
     shape = (len(light.states), len(directions), light.size)
     out = np.empty(shape, np.float32) if out is None else checked_out(out, shape)
     plain = out.dtype == np.float32 and out.flags.c_contiguous

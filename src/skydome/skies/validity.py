@@ -101,6 +101,14 @@ class Ranged:
             if not isinstance(getattr(self, name), Spectrum)  # checked at construction
         ]
 
+    def outside(self) -> dict[str, Range]:
+        """The parameters that lie outside their ranges, with these."""
+        return {
+            name: interval
+            for name, interval in self.limits.items()
+            if not np.all(as_numpy(inside(floating(numbers_of(getattr(self, name))), interval)))
+        }
+
     def parameters(self) -> dict[str, Any]:
         """Class name and every parameter as plain numbers, lists and strings: the provenance that maps carry."""
         return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}

@@ -123,7 +123,7 @@ def test_series_of_many_models_at_once(always):
     got, truth = sd.luminance_series(sky, toward), sky.luminance(toward)
     scale = np.maximum(truth, 1e-3 * truth.max(axis=1, keepdims=True) + 1e-9)
     assert (np.abs(got - truth) / scale).max() < 2e-5
-    monthly = sky.numbers(sky.luminance_recipe())
+    monthly = sky.flat_numbers(sky.luminance_recipe())
     np.testing.assert_allclose(formula_light(monthly, toward)[..., 0], truth, rtol=1e-12)
 
 

@@ -29,7 +29,7 @@ def fit(
     """Fit a sky model's formula to simulated skies; `--model hosek-wilkie --tables FILE` shows the result.
 
     hosek-wilkie: each of the nine numbers a quintic Bezier curve of the sun's height, at the store's turbidities and
-    albedos. preetham: five letters linear in turbidity and the values at the zenith, for `RefittedPreetham`.
+    albedos. preetham: five letters linear in turbidity and the values at the zenith: `--numbers FILE` takes them.
     """
     from skydome.ground.units import deg
     from skydome.own_air.family import SkyFamily

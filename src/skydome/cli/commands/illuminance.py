@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.numbers_of_light import moment_facts, notes_row, sky_rows
+from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
@@ -132,6 +132,7 @@ def plane_facts(scene: Scene, asked: Asked) -> dict[str, Any]:
         "model": scene.name,
         "parameters": scene.whole.parameters(),
         "valid": bool(scene.sky.valid),
+        "outside_ranges": outside_ranges(scene.whole),
         "plane": {"tilt_deg": asked.tilt, "azimuth_deg": asked.azimuth},
         "horizon": asked.profile,
         "ground_albedo": asked.albedo,

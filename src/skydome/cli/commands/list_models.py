@@ -3,7 +3,8 @@
 from dataclasses import MISSING, fields
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.options import AsJson, SkyOptions, option_name
+from skydome.cli.models import LETTERS, LEVELS
+from skydome.cli.options import AsJson, option_name
 from skydome.cli.printing import print_json
 
 if TYPE_CHECKING:
@@ -18,20 +19,20 @@ def models(as_json: AsJson = False) -> None:
     if as_json:
         print_json(facts)
     else:
-        print_models(list({entry["class"]: entry for entry in facts}.values()))
+        print_models(facts)
 
 
 def model_facts(model: "Model") -> dict[str, Any]:
     """A model's name, class, rung, parameters and source."""
     kind = model.kind
-    known = {item.name for item in fields(kind)}
     return {
         "name": model.name,
         "class": kind.__name__,
         "rung": rung(kind),
-        "parameters": taken_facts(model) if "atmosphere" in known else own_facts(kind),
+        "parameters": [parameter_facts(model, name) for name in taken(model)],
         "fixed": dict(model.fixed),
-        "needs_level": model.level_name is not None,
+        "needs_level": model.level_name is not None and not kind.knows_level,
+        "usual_levels": [] if model.level is None else [model.level.whose],
         "source": kind.source,
         "about": (kind.__doc__ or "").strip().splitlines()[0],
     }
@@ -46,30 +47,27 @@ def rung(kind: type) -> str:
     return "colour" if issubclass(kind, sd.ColourSky) else "luminance"
 
 
-def own_facts(kind: Any) -> list[dict[str, Any]]:
-    """The parameters that the class has."""
-    return [parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"]
+def taken(model: "Model") -> list[str]:
+    """The names of what a user gives: the sun, the model's parameters, and its level."""
+    levels = [name for name in LEVELS if name in model.needed or model.level_name] if model.level_name else []
+    return [*(["sun"] if model.has_sun else []), *model.takes, *levels]
 
 
-def taken_facts(model: "Model") -> list[dict[str, Any]]:
-    """The parameters of a model that makes its class's from the options that it takes: the air's."""
+def parameter_facts(model: "Model", name: str) -> dict[str, Any]:
+    """A parameter's name, option, range with unit, and what is taken where it is not given."""
     from skydome.skies.catalogue import USUAL
 
-    sun = {"name": "sun", "option": "--sun", "required": True}
-    return [sun] + [
-        {"name": name, "option": option_name(name), "required": False, "default": USUAL.get(name)}
-        for name in model.takes
-    ]
-
-
-def parameter_facts(item: Any, interval: Any) -> dict[str, Any]:
-    """A parameter's name, option, range with unit, and default."""
-    name = "zenith_luminance" if item.name == "value" else item.name
-    option = option_name(name) if name in SkyOptions.__dataclass_fields__ else None
-    facts: dict[str, Any] = {"name": item.name, "option": option, "required": item.default is MISSING}
-    if item.default is not MISSING:
-        facts["default"] = item.default
-    if interval is not None:
+    kind: Any = model.kind
+    own = next((item for item in fields(kind) if item.name == name), None)
+    default = USUAL.get(name, None if own is None or own.default is MISSING else own.default)
+    facts: dict[str, Any] = {
+        "name": name,
+        "option": "--letters" if name in LETTERS else option_name(name),
+        "required": model.needed.get(name, False) and default is None and name not in LEVELS,
+    }
+    if isinstance(default, str | int | float):
+        facts["default"] = default
+    if (interval := kind.ranges.get(name)) is not None:
         facts |= {"range": [interval.low, interval.high], "unit": interval.unit}
     return facts
 
@@ -95,9 +93,31 @@ def print_models(facts: list[dict[str, Any]]) -> None:
     for heading in ("model", "knows", "parameters", "source"):
         table.add_column(heading, overflow="fold")
     table.columns[0].no_wrap = table.columns[1].no_wrap = True
-    for entry in facts:
-        several = "cie-1 ... cie-15" if entry["class"] == "CIE" else entry["name"]
-        parameters = "\n".join(parameter_text(item) for item in entry["parameters"] if item["name"] != "sun")
-        table.add_row(Text(several, style="bold"), entry["rung"], Text(parameters), Text(entry["source"]))
+    for names, entry in grouped(facts):
+        parameters = "\n".join(
+            dict.fromkeys(parameter_text(item) for item in entry["parameters"] if item["name"] != "sun")
+        )
+        if entry["usual_levels"]:
+            parameters += f"\nlevel, if none is given: {' or '.join(entry['usual_levels'])}"
+        table.add_row(Text(names, style="bold"), entry["rung"], Text(parameters), Text(entry["source"]))
         table.add_section()
     Console().print(table)
+
+
+def grouped(facts: list[dict[str, Any]]) -> list[tuple[str, dict[str, Any]]]:
+    """Rows of the table: the names of models that take the same and differ in what their names settle only."""
+    rows: dict[str, list[dict[str, Any]]] = {}
+    for entry in facts:
+        key = "CIE" if entry["class"] == "CIE" else f"{entry['class']} {entry['parameters']}"
+        rows.setdefault(key, []).append(entry)
+    return [(names_of(each), each[0] | {"usual_levels": usual_levels(each)}) for each in rows.values()]
+
+
+def names_of(alike: list[dict[str, Any]]) -> str:
+    """The names of a row."""
+    return "cie-1 ... cie-15" if alike[0]["class"] == "CIE" else "\n".join(entry["name"] for entry in alike)
+
+
+def usual_levels(alike: list[dict[str, Any]]) -> list[str]:
+    """The usual levels in a row, each once."""
+    return list(dict.fromkeys(level for entry in alike for level in entry["usual_levels"]))

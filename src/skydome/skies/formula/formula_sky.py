@@ -64,7 +64,7 @@ class FormulaSky(SunlitSky):
 
     def luminance_formula(self) -> Light | None:
         """The numbers of the luminance."""
-        return self.numbers(self.luminance_recipe())
+        return self.flat_numbers(self.luminance_recipe())
 
     def luminance(self, directions: Array, out: np.ndarray | None = None) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night. See `light`."""
@@ -92,7 +92,7 @@ class FormulaSky(SunlitSky):
         kernel = chosen(PRICE_OF_DIRECTIONS * int(np.prod(shape)), coefficients) if wanted == np.float32 else None
         if kernel is not None and self.is_outer(directions, coefficients):
             result = out if out is not None and out.flags.c_contiguous else np.empty(shape, np.float32)
-            many_skies(kernel, self.numbers(recipe), directions.reshape(-1, 3), result)
+            many_skies(kernel, self.flat_numbers(recipe), directions.reshape(-1, 3), result)
         else:
             result = quantity.of(self.channels(directions, coefficients))
             result = result.astype(np.float32, copy=False) if wanted == np.float32 else result
@@ -120,7 +120,7 @@ class FormulaSky(SunlitSky):
         head = len(own) - max((k + 1 for k, size in enumerate(own) if size != 1), default=0)  # trailing axes of 1
         return head >= len(views) or own[: len(own) - head] == ()
 
-    def numbers(self, recipe: Recipe) -> Light:
+    def flat_numbers(self, recipe: Recipe) -> Light:
         """The sky's numbers as flat NumPy arrays, one row a sky."""
         coefficients, quantity = recipe
         own = self.own_shape(coefficients)
@@ -161,7 +161,7 @@ class ColourFormulaSky(FormulaSky, ColourSky):
 
     def rgb_formula(self, space: RGBSpace = SRGB) -> Light | None:
         """The numbers of the RGB."""
-        return self.numbers(self.rgb_recipe(space))
+        return self.flat_numbers(self.rgb_recipe(space))
 
     def xyz(self, directions: Array, out: np.ndarray | None = None) -> Array:
         """CIE XYZ toward each direction, Y in cd m-2, shape (..., 3). See `light` for float32 and `out`."""

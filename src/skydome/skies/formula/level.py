@@ -7,10 +7,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, at_least, floating, is_numpy, namespace, safe_divide
+from skydome.ground.arrays import Array, at_least, constant, floating, is_numpy, namespace, safe_divide
 from skydome.ground.directions import elevation, zenith_angle
 from skydome.ground.quadrature import half_hemisphere_about
-from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, horizontal_integral
+from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, from_perez, horizontal_integral
+
+CLEAR_SHAPE = from_perez(np.array(1.0), -1.0, -0.32, 10.0, -3.0, 0.45, 0.91)
+"""R A ... I of the CIE's older clear sky (Kittler 1967), relative, (1, 10)."""
+
+HIGHEST = float(np.radians(75.0))
+"""Elevation of the sun, rad, up to which clear skies have their usual zenith luminance; above, their illuminance."""
 
 FEW_NODES = 4
 """Nodes each way by which a sky is looked over for light."""
@@ -98,17 +104,28 @@ def clear_zenith_luminance(sun: Array, turbidity: ArrayLike = 2.45) -> Array:
     """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38).
 
     The formula and the turbidity of Radiance's `gensky`.
-    Karayel, Navvab, Ne'eman and Selkowitz (1984). Grows without bound near the zenith: elevation is held at 75 degrees.
+    Karayel, Navvab, Ne'eman and Selkowitz (1984). Grows without bound near the zenith: suns above `HIGHEST`, 75
+    degrees, give the zenith luminance of a CIE clear sky as bright, by illuminance, as under a sun of 75 degrees.
 
     >>> from skydome import deg, direction
     >>> round(float(clear_zenith_luminance(direction(azimuth=0.0, elevation=45 * deg))))
     1941
     """
     xp = namespace(sun)
-    height = elevation(sun)
-    limit = xp.full_like(height, np.radians(75.0))
-    height = at_least(xp.where(height < limit, height, limit), 0.0)
-    return 1000 * ((1.376 * floating(turbidity, like=height) - 1.81) * xp.tan(height) + 0.38)
+    height = at_least(elevation(sun), 0.0)
+    limit = xp.full_like(height, HIGHEST)
+    low = xp.where(height < limit, height, limit)
+    level = 1000 * ((1.376 * floating(turbidity, like=height) - 1.81) * xp.tan(low) + 0.38)
+    same = zenith_share(np.pi / 2 - height) / zenith_share(np.pi / 2 - limit)
+    return level * xp.where(height < limit, xp.ones_like(same), same)
+
+
+def zenith_share(sun_zenith: Array) -> Array:
+    """Zenith luminance over illuminance of the CIE's clear sky, cd m-2 / lx, shape (...,)."""
+    xp = namespace(sun_zenith)
+    shape = constant(CLEAR_SHAPE, sun_zenith)
+    zenith = evaluate(shape, xp.ones_like(sun_zenith), sun_zenith)
+    return (zenith / horizontal_integral(shape, sun_zenith))[..., 0]
 
 
 def overcast_zenith_luminance(sun: Array) -> Array:

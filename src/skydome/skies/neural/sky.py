@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.air.atmosphere import USUAL_ALBEDO
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy, limited, namespace, settled
 from skydome.ground.directions import checked_directions
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
@@ -25,7 +26,7 @@ class NeuralForm(SunlitSky):
 
     network: Network
     turbidity: Any = 3.0
-    albedo: Any = 0.5
+    albedo: Any = USUAL_ALBEDO
     ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "albedo": Range(0.0, 1.0)}
     source: ClassVar[str] = "Satilmis et al. 2017"
 
@@ -74,9 +75,10 @@ class NeuralForm(SunlitSky):
         """What takes the network's outputs to linear RGB with white of 1 cd m-2 being (1, 1, 1), (3, outputs)."""
 
     def parameters(self) -> dict[str, Any]:
-        """Parameters for provenance; the network by its inputs and size."""
+        """Parameters for provenance: the network by its inputs and size; no albedo where it does not ask for one."""
         network = f"{len(self.network.features)} inputs, {self.network.bytes} bytes"
-        return super().parameters() | {"network": network}
+        told = super().parameters() | {"network": network}
+        return told if "albedo" in self.network.features else {n: v for n, v in told.items() if n != "albedo"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +124,7 @@ class NeuralSpectralSky(NeuralForm, SpectralSky):
 
     @classmethod
     def load(
-        cls, network: str | PathLike[str], sun: Array, turbidity: Any = 3.0, albedo: Any = 0.2, **others: Any
+        cls, network: str | PathLike[str], sun: Array, turbidity: Any = 3.0, albedo: Any = USUAL_ALBEDO, **others: Any
     ) -> "NeuralSpectralSky":
         """A sky of a spectral network file, or of one that the package carries, by name."""
         return cls(sun, read_network(network), turbidity, albedo, **others)

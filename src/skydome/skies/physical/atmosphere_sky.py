@@ -1,5 +1,6 @@
 """What the skies of an `Atmosphere` share: the air, its ground, and how bright its sun is."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,7 +27,7 @@ class AtmosphereSky(SunlitSky, SpectralSky):
     @property
     def sun_distance(self) -> float:
         """Distance of the sun, AU, that the atmosphere's `sun_scale` tells."""
-        return self.atmosphere.sun_scale**-0.5
+        return 1.0 / math.sqrt(self.atmosphere.sun_scale)
 
     @property
     def direct_normal_illuminance(self) -> Array | float:

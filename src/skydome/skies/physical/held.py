@@ -64,6 +64,11 @@ class HeldSky(SunlitSky, ColourSky):
         return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.sky.knows_twilight else 0.0))
 
     @property
+    def sun_distance(self) -> Any:
+        """Distance of the sun, AU, that the sky knows."""
+        return self.sky.sun_distance
+
+    @property
     def direct_normal_illuminance(self) -> Array | float:
         """Illuminance of the sun through this air on a plane that faces it, lx; 0 when it has set."""
         return self.sky.direct_normal_illuminance

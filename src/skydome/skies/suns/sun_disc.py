@@ -85,8 +85,9 @@ def radius_of(sky: SunlitSky) -> Any:
 class SunDisc(SunlitSky, SpectralSky):
     """The sun's disc toward `sun`, seen through air of a turbidity 1-10; add it to a sky: `sky + SunDisc.of(sky)`.
 
-    `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's, 3.4 % of light between January and July). `direct_normal_illuminance`, lx, sets
-    the level and keeps the spectrum. Maps integrate the disc over texels: its energy is right at every resolution.
+    `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's: 7 % of the light between January and
+    July). `direct_normal_illuminance`, lx, sets the level and keeps the spectrum. Maps integrate the disc over texels:
+    its energy is right at every resolution.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
@@ -164,6 +165,8 @@ class SunDisc(SunlitSky, SpectralSky):
         level = self.direct_normal_illuminance
         xp = namespace(self.sun)
         day = xp.astype(self.is_day, floating(self.sun).dtype)
+        if self.check == "nan":
+            day = xp.where(self.valid | ~self.is_day, day, xp.full_like(day, float("nan")))
         if level is None:
             return day
         published = self.published_irradiance(self.bands)

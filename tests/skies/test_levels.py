@@ -1,0 +1,127 @@
+"""Levels hold: the sun without diffuse light, dark letters, high suns, the smooth sky, the sun's distance."""
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome import deg
+from skydome.skies.perez_table import clearness_bin
+
+SUN = sd.direction(azimuth=180 * deg, elevation=45 * deg)
+
+
+@pytest.mark.parametrize("compat", ["paper", "gendaylit"])
+def test_a_sun_without_diffuse_light_is_the_clearest_sky(compat):
+    diffuse = np.array([0.0, 1e-6, 1e-3, 1.0])
+    sky = sd.PerezAllWeather(SUN, 911.0, diffuse, compat=compat)
+    assert (clearness_bin(sky.conditions()[0]) == 7).all()
+    np.testing.assert_allclose(sky.direct_normal_illuminance, sky.direct_normal_illuminance[-1], rtol=2e-4)
+    assert sky.valid.all()
+    assert float(sd.illuminance(sd.PerezAllWeather(SUN, 911.0, 0.0))) == 0
+    assert float(sd.SunDisc.of(sd.PerezAllWeather(SUN, 911.0, 0.0)).illuminance(SUN)) == pytest.approx(94_451, abs=1)
+
+
+def test_no_light_at_all_is_not_valid_and_not_refused():
+    sky = sd.PerezAllWeather(SUN, np.array([0.0, 0.0, 5.0]), np.array([0.0, 5.0, 0.0]))
+    assert sky.valid.tolist() == [False, True, True]
+    assert float(sky.luminance(sd.ZENITH)[0]) == 0
+
+
+def test_a_dim_sky_has_its_light():
+    sky = sd.PerezAllWeather(sd.direction(1.0, 5 * deg), 111.0, 15.9)
+    assert bool(sky.valid)
+    assert float(sky.diffuse_illuminance) == pytest.approx(2559, abs=1)
+    assert float(sd.illuminance(sky)) == pytest.approx(float(sky.diffuse_illuminance), rel=1e-4)
+
+
+BLACK = (-3.0, -0.01, 1.0, -1.0, 0.1)  # 1 + a exp(b / cos t) is negative wherever the second factor is positive
+
+
+@pytest.mark.parametrize("level", [{"zenith_luminance": 3000.0}, {"zenith_luminance": np.array([0.0, 3000.0])}])
+def test_black_skies_are_refused_or_not_valid(level):
+    with pytest.raises(ValueError, match="Perez must give light at its level"):
+        sd.Perez(SUN, *BLACK, **level)
+    for check in ("clamp", "nan"):
+        sky = sd.Perez(SUN, *BLACK, check=check, **level)
+        assert np.ravel(sky.valid)[-1] == False  # noqa: E712
+    assert np.isnan(np.ravel(sky.luminance(sd.ZENITH))[-1])
+
+
+def test_every_valid_all_weather_sky_has_the_illuminance_that_it_tells():
+    rng = np.random.default_rng(5)
+    n = 300
+    suns = sd.direction(np.full(n, 2.0), rng.uniform(0.6, 89.4, n) * deg)
+    for smooth in (False, True):
+        given = rng.uniform(0, 950, n), rng.uniform(1, 400, n)
+        sky = sd.PerezAllWeather(suns, *given, smooth=smooth, check="clamp")
+        told, held = sky.diffuse_illuminance, sky.valid
+        light = np.array(
+            [
+                float(sd.illuminance(sd.PerezAllWeather(suns[k], given[0][k], given[1][k], smooth=smooth)))
+                for k in np.flatnonzero(held)[:40]
+            ]
+        )
+        np.testing.assert_allclose(light, told[held][:40], rtol=1e-3)
+        assert held.mean() > 0.9
+        if not held.all():
+            with pytest.raises(ValueError, match="black|negative"):
+                sd.PerezAllWeather(suns, *given, smooth=smooth)
+
+
+def test_smooth_takes_the_jump_away():
+    """At clearness 1.065 the published sky toward the sun jumps from 1.2 to 4.1 times the mean."""
+    sun = sd.direction(180 * deg, 40 * deg)
+
+    def shape(direct, smooth):
+        sky = sd.PerezAllWeather(sun, direct, 150.0, smooth=smooth)
+        return float(np.pi * sky.luminance(sun) / sky.diffuse_illuminance)
+
+    assert shape(16.5, False) / shape(16.0, False) > 3
+    assert abs(shape(16.5, True) / shape(16.0, True) - 1) < 0.03
+
+
+def test_smooth_is_the_year_s():
+    from skydome.dome.patches import patches
+    from skydome.skies.perez_table import bins_about, guarded_letters
+    from skydome.years.skies.dome_means import PerezSkies, dome_means
+
+    cut = patches("reinhart:4")
+    sky = sd.PerezAllWeather(SUN, 300.0, 150.0, smooth=True)
+    epsilon, delta, zenith = (np.atleast_1d(part) for part in sky.conditions())
+    low, high, weight = bins_about(epsilon)
+    means = 0.0
+    for centre, share in ((low, 1 - weight), (high, weight)):
+        letters = np.stack(guarded_letters(centre, delta, zenith).letters)
+        means = means + dome_means(PerezSkies(letters, SUN[None], sky.floor), sky.diffuse_illuminance * share, cut)
+    np.testing.assert_allclose(sky.luminance(cut.directions), means[0], rtol=0.03)
+
+
+def test_levels_given_to_the_all_weather_sky():
+    by_light = sd.PerezAllWeather(SUN, 700.0, 120.0, illuminance=10_000.0)
+    assert float(sd.illuminance(by_light)) == pytest.approx(10_000, rel=1e-4)
+    for smooth in (False, True):
+        by_zenith = sd.PerezAllWeather(SUN, 700.0, 120.0, zenith_luminance=3000.0, smooth=smooth)
+        assert float(by_zenith.luminance(sd.ZENITH)) == pytest.approx(3000, rel=1e-12)
+        assert float(by_zenith.diffuse_illuminance) == pytest.approx(float(sd.illuminance(by_zenith)), rel=1e-4)
+    with pytest.raises(ValueError, match="got both"):
+        sd.PerezAllWeather(SUN, 700.0, 120.0, zenith_luminance=3000.0, illuminance=1.0)
+
+
+@pytest.mark.parametrize("elevation", [75.0, 80.0, 88.0, 90.0])
+def test_a_clear_sky_under_a_high_sun_keeps_its_illuminance(elevation):
+    sun = sd.direction(1.0, elevation * deg)
+    sky = sd.CIEClear(sun, zenith_luminance=sd.clear_zenith_luminance(sun, 3.0))
+    assert float(sd.illuminance(sky)) == pytest.approx(16_711, rel=2e-3)
+
+
+def test_the_disc_is_as_large_as_the_sun_s_distance_says():
+    air = sd.Atmosphere.mars()
+    assert float(sd.SunDisc.of(sd.Nishita93(SUN, air)).angular_radius) == pytest.approx(
+        np.arcsin(np.sin(sd.solar_radius("2026-06-21") * sd.earth_sun_distance("2026-06-21")) / 1.5237), rel=1e-3
+    )
+    far = sd.PerezAllWeather(SUN, 700.0, 120.0, 1367 / 1.0166**2)
+    assert float(sd.SunDisc.of(far).angular_radius) == pytest.approx(float(sd.solar_radius("2026-07-06")), rel=1e-4)
+    sky = sd.HosekWilkie(SUN, 3.0)
+    discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06")]
+    light = [float(disc.illuminance(SUN)) for disc in discs]
+    assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
