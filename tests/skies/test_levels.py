@@ -117,11 +117,14 @@ def test_a_clear_sky_under_a_high_sun_keeps_its_illuminance(elevation):
 def test_the_disc_is_as_large_as_the_sun_s_distance_says():
     air = sd.Atmosphere.mars()
     assert float(sd.SunDisc.of(sd.Nishita93(SUN, air)).angular_radius) == pytest.approx(
-        np.arcsin(np.sin(sd.solar_radius("2026-06-21") * sd.earth_sun_distance("2026-06-21")) / 1.5237), rel=1e-3
+        np.arcsin(np.sin(sd.solar_radius("2026-06-21T12:00Z") * sd.earth_sun_distance("2026-06-21T12:00Z")) / 1.5237),
+        rel=1e-3,
     )
     far = sd.PerezAllWeather(SUN, 700.0, 120.0, 1367 / 1.0166**2)
-    assert float(sd.SunDisc.of(far).angular_radius) == pytest.approx(float(sd.solar_radius("2026-07-06")), rel=1e-4)
+    assert float(sd.SunDisc.of(far).angular_radius) == pytest.approx(
+        float(sd.solar_radius("2026-07-06T12:00Z")), rel=1e-4
+    )
     sky = sd.HosekWilkie(SUN, 3.0)
-    discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06")]
+    discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06T12:00Z")]
     light = [float(disc.illuminance(SUN)) for disc in discs]
     assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
