@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,8 @@ import pytest
 import skydome as sd
 from skydome.evaluation.evaluation import band_mean, compared, relative_rms
 from skydome.evaluation.measured_sky import MeasuredSky, turned_to_sun
-from skydome.evaluation.models import EvaluatedModel, fitted, model_of
+from skydome.evaluation.model_fit import fitted
+from skydome.evaluation.models import EvaluatedModel, model_of
 from skydome.evaluation.runs import evaluated
 from skydome.ground.quadrature import hemisphere
 from skydome.ground.units import deg
@@ -199,3 +201,54 @@ def test_the_command_writes_table_json_and_figures(tmp_path):
     bad = subprocess.run([*command[:5], "--models", "nothing"], capture_output=True, text=True, check=False)
     assert bad.returncode == 2
     assert bad.stderr.count("\n") == 1
+
+
+def made_of_air(depth, asymmetry):
+    """A measured sky that is discrete ordinates' in plain air, on a day in July."""
+    pytest.importorskip("nanodisort")
+    sky = made_up_sky()
+    make = model_of("discrete-ordinates").sky_of({"depth": depth, "asymmetry": asymmetry})
+    w = np.arange(380.0, 721.0, 20)
+    scans = zip(sky.suns, sky.sun_distances, sky.directions, strict=True)
+    light = np.stack([make(s, float(d)).radiance(v, w) for s, d, v in scans])
+    return replace(sky, wavelengths=w, radiance=light)
+
+
+@pytest.mark.slow
+def test_a_fit_leaves_no_local_minimum():
+    """From the usual numbers alone it ended at asymmetry 0.4, its limit, with an error of 0.193."""
+    sky = made_of_air(0.02, 0.75)
+    found = fitted(model_of("discrete-ordinates"), sky)
+    assert found["depth"] == pytest.approx(0.02, rel=0.02)
+    assert found["asymmetry"] == pytest.approx(0.75, abs=0.01)
+    make = model_of("discrete-ordinates").sky_of(found)
+    assert compared("air", sky, make).figures()["error"] < 0.01
+
+
+def test_a_fit_that_ends_at_a_limit_says_so():
+    model = EvaluatedModel(
+        "hw", lambda sun, turbidity: sd.HosekWilkie(sun, turbidity), {"turbidity": 2.0}, {"turbidity": (1, 4)}, ""
+    )
+    with pytest.warns(UserWarning, match="the fit of hw ended at a limit: turbidity 4"):
+        assert fitted(model, made_up_sky(6.0))["turbidity"] == pytest.approx(4.0, abs=0.005)
+
+
+def test_the_sun_s_distance_is_that_of_each_scan():
+    sky = made_up_sky()
+    assert np.allclose(sky.sun_distances, sd.earth_sun_distance([str(t) for t in sky.times]))
+    near, far = (model_of("nishita-1993").sky_of()(sky.suns[0], d).radiance(sd.ZENITH, [550.0]) for d in (1.0, 1.0166))
+    assert near[0] / far[0] == pytest.approx(1.0166**2, rel=1e-12)
+
+
+@needs_data
+def test_green_ground_has_its_red_edge(sky):
+    """At 780 nm, beyond 20 degrees from the sun; a ground of 0.08 is 29 % too dark there."""
+    pytest.importorskip("nanodisort")
+    where = int(np.argmin(abs(sky.wavelengths - 780.0)))
+    ratio = []
+    for k in range(0, 12, 3):
+        far = sky.valid[k] & (sky.sun_angles[k] > 20 * deg)
+        make = model_of("discrete-ordinates").sky_of()(sky.suns[k], float(sky.sun_distances[k]))
+        light = make.radiance(sky.directions[k][far], [780.0])[:, 0]
+        ratio.append(light.sum() / sky.radiance[k][far][:, where].sum())
+    assert abs(np.mean(ratio) - 1) < 0.05

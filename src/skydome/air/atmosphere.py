@@ -1,5 +1,6 @@
 """An atmosphere: constituents in spherical shells over a ground, lit by a sun."""
 
+import warnings
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -16,7 +17,7 @@ from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
 from skydome.light.spectrum import Spectrum
 
-__all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "USUAL_ALBEDO", "Atmosphere"]
+__all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "USUAL_ALBEDO", "Atmosphere", "MissingBands"]
 
 
 def grass() -> Spectrum:
@@ -25,11 +26,34 @@ def grass() -> Spectrum:
     return Spectrum(table["wavelength_nm"], table["albedo"])
 
 
+GAS_BANDS = (
+    ("oxygen band at 687 nm", 686.0, 695.0),
+    ("water band at 720 nm", 714.0, 736.0),
+    ("oxygen band at 761 nm", 758.0, 771.0),
+    ("water band at 820 nm", 810.0, 838.0),
+    ("water band at 940 nm", 890.0, 1000.0),
+    ("gas beyond 1080 nm", 1080.0, float("inf")),
+)
+"""Absorption of gases that `Atmosphere` leaves out, by name, from and to, nm (told by the measured sky of 2013)."""
+
+
+class MissingBands(UserWarning):
+    """Light is asked for where the real air absorbs by gases that the air here does not have."""
+
+
 USUAL_ALBEDO = 0.2
 """Albedo of the ground where nobody says, of every sky model: dry land."""
 
-DARK_GREEN = Spectrum([499.0, 500.0], [0.04, 0.08])
-"""A plain picture of vegetated ground: 0.04 below 500 nm, 0.08 above."""
+
+def dark_green() -> Spectrum:
+    """0.04 below 500 nm, 0.08 to 690 nm, then the red edge of grass, 0.59 at 800 nm and beyond."""
+    table = columns("grass_albedo")
+    red = table["wavelength_nm"] > 690
+    return Spectrum([499.0, 500.0, 690.0, *table["wavelength_nm"][red]], [0.04, 0.08, 0.08, *table["albedo"][red]])
+
+
+DARK_GREEN = dark_green()
+"""A plain picture of vegetated ground, dark to the eye; its red edge is that of grass (Feister and Grewe 1995)."""
 
 CONTINENTAL = Aerosol()
 """The usual aerosol: one Henyey-Greenstein lobe of g 0.76, of which 0.92 is scattered, scale height 1.5 km."""
@@ -151,6 +175,17 @@ class Atmosphere:
         """Irradiance of the sun above the air on a plane that faces it, W m-2 nm-1, (W,)."""
         light = solar_irradiance(wavelengths) if self.sunlight is None else self.sunlight.at(wavelengths)
         return light * self.sun_scale
+
+    def tell_missing_bands(self, wavelengths: ArrayLike) -> None:
+        """`MissingBands`, a warning, where light is asked for in bands of gases that the earth's air here lacks."""
+        w = np.ravel(wavelengths)
+        met = [name for name, low, high in GAS_BANDS if ((w >= low) & (w <= high)).any()]
+        if met and abs(self.radius / EARTH_RADIUS - 1) < 0.01:
+            warnings.warn(
+                f"the air has no {', '.join(met)}: there the sky comes out too bright (761 nm by 73 %, 940 nm by 56 %)",
+                MissingBands,
+                stacklevel=4,
+            )
 
     def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.

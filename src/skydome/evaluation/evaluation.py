@@ -23,8 +23,8 @@ from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 NEAR_SUN = 20 * deg
 BAND = (400.0, 700.0)
 
-SkyOf = Callable[[np.ndarray], SpectralSky]
-"""From the direction toward the sun (3,) to a sky."""
+SkyOf = Callable[[np.ndarray, float], SpectralSky]
+"""From the direction toward the sun (3,) and its distance, AU, to a sky."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,8 +97,8 @@ def cosine_sum(sky: MeasuredSky, luminance: np.ndarray) -> Array:
 def compared(name: str, sky: MeasuredSky, sky_of: SkyOf) -> Comparison:
     """A model in the directions and under the suns of a measured sky."""
     light, colour = [], []
-    for sun, directions in zip(sky.suns, sky.directions, strict=True):
-        model = sky_of(sun)
+    for sun, distance, directions in zip(sky.suns, sky.sun_distances, sky.directions, strict=True):
+        model = sky_of(sun, float(distance))
         light.append(band_mean(model, directions))
         colour.append(np.asarray(model.xyz(directions)))
     return Comparison(name, sky, np.stack(light), np.stack(colour))

@@ -110,6 +110,13 @@ class MeasuredSky:
     def __len__(self) -> int:
         return len(self.names)
 
+    @property
+    def sun_distances(self) -> np.ndarray:
+        """The sun's distance in each scan, AU, (C,)."""
+        from skydome.sun.position import earth_sun_distance
+
+        return earth_sun_distance([str(time) for time in self.times])
+
     def band(self, low: float = 400.0, high: float = 700.0) -> Array:
         """Radiance averaged over wavelengths from low to high, W m-2 sr-1 nm-1, shape (C, D)."""
         inside = (self.wavelengths >= low) & (self.wavelengths <= high)

@@ -7,7 +7,8 @@ import numpy as np
 
 from skydome.evaluation.evaluation import Comparison, compared
 from skydome.evaluation.measured_sky import MeasuredSky
-from skydome.evaluation.models import EvaluatedModel, distance_of, fitted, model_of, models
+from skydome.evaluation.model_fit import fitted
+from skydome.evaluation.models import EvaluatedModel, model_of, models
 from skydome.ground.extras import required
 
 FITS = ("no", "all", "half", "each")
@@ -44,9 +45,8 @@ def evaluated(sky: MeasuredSky, names: list[str], fit: str = "no") -> list[Run]:
         raise ValueError(f"fit must be one of {', '.join(FITS)}, got {fit!r}")
     if fit != "no":
         required("scipy", "fit", "a fit to measured skies")
-    distance = distance_of(sky)
-    chosen = list(models(distance)) if names == ["all"] else names
-    return [run(model_of(name, distance), sky, fit) for name in chosen]
+    chosen = list(models()) if names == ["all"] else names
+    return [run(model_of(name), sky, fit) for name in chosen]
 
 
 def run(model: EvaluatedModel, sky: MeasuredSky, fit: str) -> Run:

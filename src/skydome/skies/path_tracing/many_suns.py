@@ -25,7 +25,8 @@ PARTS = 16
 class Rings:
     """Light of views at elevations (E,) and azimuths (N,) counted from the sun's, mean over the sun's disc.
 
-    `radiance` and `standard_error` in W m-2 sr-1 nm-1, shape (E, N, W).
+    `radiance` and `standard_error` in W m-2 sr-1 nm-1, shape (E, N, W). Of a direction without a hit the radiance is 0
+    and the error an upper bound: that of one hit.
     """
 
     elevations: np.ndarray
@@ -71,8 +72,14 @@ def suns_with_room(sine: float, radius: float) -> int:
 
 
 def estimate(sums: np.ndarray, paths: int, radius: float) -> tuple[Array, Array]:
-    """Radiance and standard error for a sun of irradiance 1, sr-1, (N,), from sums of weights and squares (2, N)."""
+    """Radiance and standard error for a sun of irradiance 1, sr-1, (N,), from sums of weights and squares (2, N).
+
+    A direction without a hit has light 0 and, as its error, what one more hit of the ring's usual weight would have
+    given: an upper bound, infinite where nothing of the ring was hit.
+    """
     solid_angle = 2 * np.pi * (1 - np.cos(radius))
     mean = sums[0] / paths
     variance = np.maximum(sums[1] / paths - mean**2, 0.0) / paths
-    return mean / solid_angle, np.sqrt(variance) / solid_angle
+    one_hit = sums[1].sum() / sums[0].sum() / paths if sums[0].any() else np.inf
+    error = np.where(sums[0] > 0, np.sqrt(variance), one_hit)
+    return mean / solid_angle, error / solid_angle

@@ -228,6 +228,7 @@ class PathTraced(AtmosphereSky):
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
+        self.tell_missing_bands(wavelengths)
         views = checked_directions(np.asarray(directions, dtype=np.float64))
         flat = views.reshape(-1, 3)
         up = flat[:, 2] >= 0

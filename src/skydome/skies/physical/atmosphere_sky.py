@@ -24,6 +24,11 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         """The ground's, a number or a `Spectrum`."""
         return self.atmosphere.albedo
 
+    def tell_missing_bands(self, wavelengths: Any) -> None:
+        """A warning where `wavelengths` ask for bands of gases that the air lacks; colours, with `bands`, are none."""
+        if wavelengths is not self.bands:
+            self.atmosphere.tell_missing_bands(wavelengths)
+
     @property
     def sun_distance(self) -> float:
         """Distance of the sun, AU, that the atmosphere's `sun_scale` tells."""

@@ -56,6 +56,7 @@ class DiscreteOrdinates(AtmosphereSky):
         """Spectral radiance toward each direction (..., 3) at wavelengths (W,), W m-2 sr-1 nm-1, shape (..., W)."""
         directions = checked_directions(np.asarray(directions, dtype=np.float64))
         suns = np.asarray(self.sun, dtype=np.float64)
+        self.tell_missing_bands(wavelengths)
         w = checked_wavelengths(wavelengths)
         shape = np.broadcast_shapes(directions.shape, suns.shape)[:-1]
         light = np.zeros((*shape, w.size))

@@ -52,6 +52,7 @@ class Nishita93(AtmosphereSky):
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
         directions = checked_directions(np.asarray(directions, dtype=np.float64))
         suns, w = np.asarray(self.sun, dtype=np.float64), checked_wavelengths(wavelengths)
+        self.tell_missing_bands(wavelengths)
         shape = np.broadcast_shapes(directions.shape, suns.shape)[:-1]
         light, table = np.zeros((*shape, w.size)), ColumnTable.of(self.atmosphere)
         for index in np.ndindex(suns.shape[:-1]):

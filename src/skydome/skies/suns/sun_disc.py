@@ -113,7 +113,8 @@ class SunDisc(SunlitSky, SpectralSky):
 
         >>> import skydome as sd
         >>> sky = sd.HosekWilkie(sd.direction(0.0, 0.7), 3.0)
-        >>> [round(float(SunDisc.of(sky, time=day).illuminance(sky.sun)), -2) for day in ("2026-01-03T12:00Z", "2026-07-06T12:00Z")]
+        >>> days = ("2026-01-03T12:00Z", "2026-07-06T12:00Z")
+        >>> [round(float(SunDisc.of(sky, time=day).illuminance(sky.sun)), -2) for day in days]
         [84800.0, 79400.0]
         """
         if angular_radius is None and time is not None:
