@@ -3,6 +3,7 @@
 from dataclasses import MISSING, fields
 from typing import TYPE_CHECKING, Any
 
+from skydome.cli.models import LEVELS
 from skydome.cli.options import AsJson, SkyOptions, option_name
 from skydome.cli.printing import print_json
 
@@ -18,7 +19,7 @@ def models(as_json: AsJson = False) -> None:
     if as_json:
         print_json(facts)
     else:
-        print_models(list({entry["class"]: entry for entry in facts}.values()))
+        print_models(facts)
 
 
 def model_facts(model: "Model") -> dict[str, Any]:
@@ -29,7 +30,7 @@ def model_facts(model: "Model") -> dict[str, Any]:
         "name": model.name,
         "class": kind.__name__,
         "rung": rung(kind),
-        "parameters": taken_facts(model) if "atmosphere" in known else own_facts(kind),
+        "parameters": taken_facts(model) if "atmosphere" in known else own_facts(model),
         "fixed": dict(model.fixed),
         "needs_level": model.level_name is not None,
         "source": kind.source,
@@ -46,9 +47,12 @@ def rung(kind: type) -> str:
     return "colour" if issubclass(kind, sd.ColourSky) else "luminance"
 
 
-def own_facts(kind: Any) -> list[dict[str, Any]]:
-    """The parameters that the class has."""
-    return [parameter_facts(item, kind.ranges.get(item.name)) for item in fields(kind) if item.name != "check"]
+def own_facts(model: "Model") -> list[dict[str, Any]]:
+    """The parameters of the class, less those that the name settles, and those whose option the model does not take."""
+    ranges, left_out = model.kind.ranges, {"check", *model.fixed}
+    known = [parameter_facts(item, ranges.get(item.name)) for item in fields(model.kind) if item.name not in left_out]
+    taken = {"sun", *model.takes, *((model.level_name, *LEVELS) if model.level_name else ())}
+    return [facts for facts in known if facts["option"] is None or facts["name"] in taken]
 
 
 def taken_facts(model: "Model") -> list[dict[str, Any]]:
@@ -85,8 +89,16 @@ def parameter_text(facts: dict[str, Any]) -> str:
     return text
 
 
+def families(facts: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """The models in groups of one class, in the order of the catalogue."""
+    found: dict[str, list[dict[str, Any]]] = {}
+    for entry in facts:
+        found.setdefault(entry["class"], []).append(entry)
+    return list(found.values())
+
+
 def print_models(facts: list[dict[str, Any]]) -> None:
-    """The table for people."""
+    """The table for people; models that differ in name alone share a row."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -95,8 +107,9 @@ def print_models(facts: list[dict[str, Any]]) -> None:
     for heading in ("model", "knows", "parameters", "source"):
         table.add_column(heading, overflow="fold")
     table.columns[0].no_wrap = table.columns[1].no_wrap = True
-    for entry in facts:
-        several = "cie-1 ... cie-15" if entry["class"] == "CIE" else entry["name"]
+    for alike in families(facts):
+        entry, names = alike[0], [model["name"] for model in alike]
+        several = f"{names[0]} ... {names[-1]}" if entry["class"] == "CIE" else "\n".join(names)
         parameters = "\n".join(parameter_text(item) for item in entry["parameters"] if item["name"] != "sun")
         table.add_row(Text(several, style="bold"), entry["rung"], Text(parameters), Text(entry["source"]))
         table.add_section()
