@@ -104,7 +104,24 @@ def test_models_lists_every_model(facts, call):
     assert told["hosek-wilkie-rgb"]["rung"] == "colour"
     assert told["cie-12"]["rung"] == "luminance"
     assert all(model["source"] for model in told.values())
-    assert "cie-1 ... cie-15" in call("models").stdout
+    listed = call("models").stdout
+    rows = ["cie-1 ... cie-15", *(name for name in NAMES if not name.removeprefix("cie-").isdigit())]
+    assert [name for name in rows if name not in listed] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("neural-preetham", {"--sun", "--turbidity"}),  # its network is settled, and knows no albedo
+        ("neural-hosek-wilkie-spectral", {"--sun", "--turbidity", "--albedo"}),
+        ("cie-12", {"--sun", "--zenith-luminance", "--illuminance"}),  # its type is settled
+        ("uniform", {"--zenith-luminance"}),
+        ("path-traced", {"--sun", "--turbidity", "--albedo", "--until", "--paths"}),
+    ],
+)
+def test_models_list_what_a_user_gives(facts, name, options):
+    told = next(model for model in facts("models") if model["name"] == name)
+    assert {item["option"] for item in told["parameters"]} == options
 
 
 @pytest.mark.parametrize("name", ["uniform", "moon-spencer", "cie-intermediate", "cie-clear", "cie-7", "perez"])

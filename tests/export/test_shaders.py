@@ -10,6 +10,7 @@ import pytest
 import skydome as sd
 from skydome.export.shader_languages import number
 from skydome.ground.quadrature import hemisphere
+from skydome.skies.formula.sky_tables import SkyTables
 
 SUN = sd.direction(200 * sd.deg, 35 * sd.deg)
 SKIES = {
@@ -194,7 +195,7 @@ def test_tables_of_ones_own(tmp_path):
     bands = np.linspace(400.0, 700.0, 7)
     letters = [0.02, -1.1, -0.3, 0.5, 2.0, -3.0, 0.2, 0.05, 0.6, 0.3]
     control = np.broadcast_to(letters, (1, 1, 6, 7, 10)) * np.linspace(1, 1.3, 7)[:, None]
-    tables = sd.SkyTables([3.0], [0.2], bands, control, np.zeros((1, 1, 7)))
+    tables = SkyTables([3.0], [0.2], bands, control, np.zeros((1, 1, 7)))
     sky = sd.HosekWilkie(SUN, 3.0, 0.2, tables=tables)
     assert sky.rgb(sd.ZENITH).min() > 100
     agree(evaluated(compiled(sd.shader(sky, "c"), tmp_path)), sky)

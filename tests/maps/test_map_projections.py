@@ -105,8 +105,11 @@ def test_compass_points_of_the_native_map():
     assert Equirectangular().pixels(NORTH, 100)[1] == 0
 
 
-def test_seed_equations_20_and_21():
-    """Seed 000: u = (i + .5) / W, v = (2 j + 1) / H over the sky's half, psi = 2 pi u, phi = pi / 2 (1 - v)."""
+def test_native_texels_by_the_printed_equations():
+    """Eq. 20 and 21 of the equations page that docs/errata.md names.
+
+    u = (i + .5) / W, v = (2 j + 1) / H over the sky's half, psi = 2 pi u, phi = pi / 2 (1 - v).
+    """
     height, i, j = 64, 37, 11
     u, v = (i + 0.5) / 128, (2 * j + 1) / 64
     toward = direction(2 * np.pi * u, np.pi / 2 * (1 - v))

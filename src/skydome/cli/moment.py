@@ -5,7 +5,6 @@ from datetime import UTC, datetime, timedelta, timezone
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.options import SunOptions, numbers
-from skydome.sun.day import is_day
 
 if TYPE_CHECKING:
     from skydome.sun.place import Place
@@ -106,6 +105,8 @@ def aware_time(text: str | None, zone: str | None) -> datetime:
 
 def require_day(moment: Moment, model: str) -> None:
     """ValueError unless the sun is up, naming the twilight by the sun's depth and what the model has to say of it."""
+    from skydome.sun.day import is_day
+
     if is_day(moment.direction):
         return
     elevation = moment.elevation

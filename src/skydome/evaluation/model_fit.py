@@ -16,6 +16,9 @@ WIDE = 20.0
 TRIED, KEPT = 8, 2
 """Places looked at beside the usual numbers, and how many of them a fit starts from."""
 
+FEW_SCANS = 3
+"""Scans by which starts are tried."""
+
 NEAR = 1e-3
 """Share of its range by which a number that ends at a limit may be away from it."""
 
@@ -84,16 +87,16 @@ def places(count: int, size: int) -> np.ndarray:
 def fitted(model: EvaluatedModel, sky: MeasuredSky, start: dict[str, float] | None = None) -> dict[str, Any]:
     """The numbers of a model, within its limits, that make the mean measure least over all scans of a sky.
 
-    Least squares from the usual numbers (or `start`) and from the best of some places spread over the limits, the best
-    of these once more by the measure itself. A number that ends at a limit is told by a warning.
+    Least squares, on a few scans, from the usual numbers (or `start`) and from the best of some places spread over the
+    limits; the best of these once more by the measure itself, on all. A number that ends at a limit is told by a warning.
     """
     from scipy.optimize import least_squares, minimize
 
     if not model.limits:
         return {}
-    problem = FitProblem(model, sky)
+    problem, few = FitProblem(model, sky), FitProblem(model, sky.some(slice(None, None, -(-len(sky) // FEW_SCANS))))
     usual = problem.steps(model.numbers | (start or {}))
-    spread = sorted(places(TRIED, usual.size), key=problem.loss)[:KEPT]
+    spread = sorted(places(TRIED, usual.size), key=few.loss)[:KEPT]
     found = [
         least_squares(
             problem.residuals, np.clip(x, 0.01, 0.99), bounds=(0, 1), diff_step=1e-3, xtol=1e-5, max_nfev=25

@@ -104,9 +104,9 @@ def matrix_from_xyz(space: RGBSpace) -> np.ndarray:
 
 SRGB = RGBSpace("sRGB", (0.640, 0.330), (0.300, 0.600), (0.150, 0.060), D65)
 """Linear sRGB (Rec. 709 primaries). Its matrix is derived from the primaries, as for every space here, so that the
-white is (1, 1, 1) in all of them and round trips are exact. Seed 000, eq. 28 prints the inverse of a matrix rounded to
-four digits, kept as `IEC_XYZ_TO_SRGB`: its elements differ by up to 3.5e-4, its RGB of the D65 white from 1 by up to
-1.8e-4."""
+white is (1, 1, 1) in all of them and round trips are exact. IEC 61966-2-1, amendment 1, prints the inverse of a matrix
+rounded to four digits, kept as `IEC_XYZ_TO_SRGB`: its elements differ by up to 3.5e-4, its RGB of the D65 white from 1
+by up to 1.8e-4."""
 
 REC2020 = RGBSpace("Rec.2020", (0.708, 0.292), (0.170, 0.797), (0.131, 0.046), D65)
 """Linear ITU-R BT.2020."""
@@ -148,7 +148,7 @@ def xyY_from_xyz(xyz: Array) -> Array:
 def rgb_from_xyz(xyz: ArrayLike, space: RGBSpace = SRGB) -> Array:
     """Linear RGB (..., 3) of XYZ (..., 3), in the unit of Y: a white of 1 cd m-2 is (1, 1, 1); not clipped.
 
-    Colours outside the space have negative parts. Seed 000, eq. 28, with the matrix of `space`.
+    Colours outside the space have negative parts. The matrix is that of `space`.
 
     >>> rgb_from_xyz([0.95045593, 1.0, 1.08905775]).round(6).tolist()
     [1.0, 1.0, 1.0]
@@ -184,8 +184,8 @@ def encode_srgb(linear: Array) -> Array:
 def decode_srgb(encoded: Array) -> Array:
     """Linear values of sRGB ones, same shape: the inverse of `encode_srgb` (IEC 61966-2-1), odd as well.
 
-    The branches part at 12.92 x 0.0031308, the image of eq. 29's own limit (IEC prints 0.04045). Eq. 29 steps down by
-    2.4e-8 there, so that a linear value just above its limit comes back 2e-9 low; all others come back exactly.
+    The branches part at 12.92 x 0.0031308, the image of the encoding's own limit (IEC prints 0.04045). It steps
+    down by 2.4e-8 there, so that a linear value just above its limit comes back 2e-9 low; all others come back exactly.
 
     >>> decode_srgb([-1.0, 0.5, 1.0]).round(6).tolist()
     [-1.0, 0.214041, 1.0]

@@ -227,7 +227,7 @@ def test_year_is_an_ordinary_function():
     import skydome as sd
 
     assert inspect.isfunction(sd.year)
-    assert "model" in inspect.signature(sd.year).parameters
+    assert "compat" in inspect.signature(sd.year).parameters
 
 
 def test_a_year_in_slices_is_the_same_year(greensboro, tmp_path):

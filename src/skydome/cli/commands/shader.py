@@ -23,8 +23,10 @@ def shader(
 ) -> None:
     """Write a sky, without the sun's disc, as shader source: skydome_rgb(direction), or skydome_bands."""
     import skydome as sd
+    from skydome.export.shader_languages import language
     from skydome.ground.writing import appearing
 
+    language(lang)  # refused before the sky is made
     require_output(output, "the shader's file")
     scene = scene_of(options)
     source = sd.shader(scene.sky, lang, scale=scale, bands=bands)

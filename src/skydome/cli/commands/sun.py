@@ -2,13 +2,14 @@
 
 from dataclasses import asdict
 from datetime import UTC, datetime
-from typing import Any
-
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any
 
 from skydome.cli.moment import Moment, aware_time, place_text
 from skydome.cli.options import AsJson, SunOptions, taking
 from skydome.cli.printing import show
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 @taking(SunOptions)
@@ -45,7 +46,7 @@ def sun_facts(place: Any, time: datetime) -> dict[str, Any]:
     }
 
 
-def angles(direction: ArrayLike) -> dict[str, float]:
+def angles(direction: "ArrayLike") -> dict[str, float]:
     """Azimuth and elevation in degrees."""
     moment = Moment(direction, 0.0)
     return {"azimuth_deg": moment.azimuth, "elevation_deg": moment.elevation}

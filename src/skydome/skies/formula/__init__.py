@@ -6,7 +6,7 @@
 - level                The absolute level of skies that are known only up to a factor
 - sky_tables           Tables of a sky model in Hosek and Wilkie's form
 - fast                 The choice between the readable formula and its compiled float32 form
-- kernel               The nine numbers in float32, compiled, the fast second form of `perez_formula.evaluate`
-- nine_numbers_kernel  Its gradation and indicatrix, at one place and in rows
-- quantity_kernel      Its way from channels to the quantity asked for
+- kernel               The nine numbers in float32, compiled: the fast second form of `perez_formula.evaluate`
+- nine_numbers_kernel  The compiled gradation and indicatrix, at one place and in rows
+- quantity_kernel      The compiled way from channels to the quantity asked for
 """

@@ -2,9 +2,9 @@
 
 - series             A year of skies on the dome's patches, as an xarray Dataset: `year("site.epw")`
 - perez_year         Perez skies of every interval of a year, by the paper or with the limits of gendaylit
-- status             What happened in each hour of a year, as flags, nothing is black
+- status             What happened in each hour of a year, as flags: nothing is black or held at a limit in silence
 - dome_means         Means of many Perez skies over the dome's patches
-- dome_means_kernel  Means of many Perez skies over the dome's patches, compiled, the fast form of `dome_means`
+- dome_means_kernel  The fast form of `dome_means`, compiled
 - colour_year        Colour and spectrum for a year of measured skies, at Perez's luminance
 - clouds             Clouds in a coloured year: how much of an hour's light they send, and its colour and spectrum
 - action_spectra     What a spectrum does: melanopic equivalent daylight illuminance and photosynthetic photons
