@@ -115,7 +115,7 @@ def test_models_lists_every_model(facts, call):
         ("neural-preetham", {"--sun", "--turbidity"}),  # its network is settled, and knows no albedo
         ("neural-hosek-wilkie-spectral", {"--sun", "--turbidity", "--albedo"}),
         ("cie-12", {"--sun", "--zenith-luminance", "--illuminance"}),  # its type is settled
-        ("uniform", {"--zenith-luminance"}),
+        ("uniform", {"--zenith-luminance", "--illuminance"}),
         ("path-traced", {"--sun", "--turbidity", "--albedo", "--until", "--paths"}),
     ],
 )

@@ -88,7 +88,8 @@ def fitted(model: EvaluatedModel, sky: MeasuredSky, start: dict[str, float] | No
     """The numbers of a model, within its limits, that make the mean measure least over all scans of a sky.
 
     Least squares, on a few scans, from the usual numbers (or `start`) and from the best of some places spread over the
-    limits; the best of these once more by the measure itself, on all. A number that ends at a limit is told by a warning.
+    limits; the best of these once more by the measure itself, on all. A number that ends at a limit is told by a
+    warning.
     """
     from scipy.optimize import least_squares, minimize
 
