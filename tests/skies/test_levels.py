@@ -1,5 +1,7 @@
 """Levels hold: the sun without diffuse light, dark letters, high suns, the smooth sky, the sun's distance."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -128,3 +130,88 @@ def test_the_disc_is_as_large_as_the_sun_s_distance_says():
     discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06T12:00Z")]
     light = [float(disc.illuminance(SUN)) for disc in discs]
     assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
+
+
+def test_the_command_and_the_tour_give_one_number(tmp_path):
+    """README's sky, by library and command line."""
+    import json
+    import subprocess
+    import sys
+
+    turin, time = sd.Place(45.07, 7.69, 240), "2026-06-21T15:00+02:00"
+    sky = sd.HosekWilkie(sd.sun_direction(turin, time), turbidity=3.0, albedo=0.2)
+    ours = float(sd.illuminance(sky + sd.SunDisc.of(sky, time=time)))
+    command = [sys.executable, "-m", "skydome", "light", "--place", "45.07,7.69,240", "--time", time, "--json"]
+    told = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    assert told["illuminance_lx"]["global"] == pytest.approx(ours, rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["x", "y"])
+@pytest.mark.parametrize("turbidity", [2.0, 3.7, 6.0])
+def test_the_authors_zenith_is_their_matrices(kind, turbidity):
+    """A literal reference: (T^2, T, 1) M (s^3, s^2, s, 1), the five-digit matrices written out once more."""
+    from skydome.skies.preetham import PreethamNumbers
+
+    matrices = {
+        "x": "0.00166 -0.00375 0.00209 0 -0.02903 0.06377 -0.03202 0.00394 0.11693 -0.21196 0.06052 0.25886",
+        "y": "0.00275 -0.00610 0.00317 0 -0.04214 0.08970 -0.04153 0.00516 0.15346 -0.26756 0.06670 0.26688",
+    }
+    matrix = np.array(matrices[kind].split(), float).reshape(3, 4)
+    for height in (1.0, 30.0, 80.0):
+        s = np.radians(90 - height)
+        wanted = np.array([turbidity**2, turbidity, 1]) @ matrix @ np.array([s**3, s**2, s, 1])
+        sky = sd.Preetham(sd.direction(0.3, height * deg), turbidity, PreethamNumbers.AUTHORS)
+        assert sky.xyY(sd.ZENITH)["xy".index(kind)] == pytest.approx(wanted, rel=1e-9)
+
+
+def test_authors_numbers_move_the_zenith_s_colour():
+    from skydome.skies.preetham import PreethamNumbers
+
+    sun = sd.direction(0.0, 5 * deg)
+    kelvin = [
+        float(sd.colour_temperature(sd.Preetham(sun, 6.0, numbers).xyz(sd.ZENITH)))
+        for numbers in (PreethamNumbers.PRINTED, PreethamNumbers.AUTHORS)
+    ]
+    assert kelvin == pytest.approx([7716, 8688], abs=1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("zenith", "rms"), [(45, 0.001), (80, 0.0012), (85, 0.002), (88, 0.009)])
+def test_what_the_layers_of_discrete_ordinates_cost(monkeypatch, zenith, rms):
+    """Against layers cut in four each."""
+    pytest.importorskip("nanodisort")
+    from skydome.skies.physical import layers
+
+    rng = np.random.default_rng(0)
+    views = sd.direction(rng.uniform(0, 6.28, 300), np.arcsin(rng.uniform(0.02, 1, 300)))
+    sky = sd.DiscreteOrdinates(sd.direction(1.0, (90 - zenith) * deg), sd.Atmosphere.standard(0.1))
+    usual = sky.radiance(views, [400.0, 550.0, 680.0])
+    fine = layers.LEVELS
+    for _ in range(2):
+        between = np.sqrt(fine[:-1] * fine[1:])
+        between[-1] = fine[-2] / 2
+        fine = np.sort(np.concatenate([fine, between]))[::-1]
+    monkeypatch.setattr(layers, "LEVELS", fine)
+    assert np.sqrt(np.mean((usual / sky.radiance(views, [400.0, 550.0, 680.0]) - 1) ** 2)) < rms
+
+
+def test_gas_bands_that_the_air_lacks_are_told():
+    from skydome.air.atmosphere import MissingBands
+
+    sky = sd.Nishita93(SUN)
+    with pytest.warns(MissingBands, match="oxygen band at 761 nm, water band at 940 nm"):
+        sky.radiance(sd.ZENITH, [550.0, 761.0, 940.0])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        sky.radiance(sd.ZENITH, [450.0, 550.0, 780.0])
+        sky.xyz(sd.ZENITH)
+        sd.Nishita93(SUN, sd.Atmosphere.mars()).radiance(sd.ZENITH, [761.0])
+
+
+def test_the_ground_is_the_same_for_every_model():
+    from skydome.skies.catalogue import USUAL
+
+    assert sd.HosekWilkie(SUN, 3.0).albedo == sd.Atmosphere.standard().albedo == USUAL["albedo"] == 0.2
+    assert sd.Atmosphere().albedo == sd.Atmosphere.from_turbidity(3.0).albedo == 0.2
+    assert sd.NeuralSpectralSky.load("hosek-wilkie-spectral", SUN).albedo == 0.2
+    assert "albedo" not in sd.NeuralSky.load("hosek-wilkie", SUN).parameters()

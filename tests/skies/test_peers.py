@@ -142,3 +142,20 @@ def test_perez_against_perezsky(altitude, direct, diffuse):
     positive = theirs > 0.02 * theirs.max()
     ratio = ours[positive] / theirs[positive]
     np.testing.assert_allclose(ratio / np.median(ratio), 1.0, atol=1e-4)
+
+
+@pytest.mark.parametrize(("altitude", "direct", "diffuse"), [(20, 60, 30), (30, 80, 35), (10, 40, 15), (60, 800, 90)])
+def test_perez_efficacies_against_gendaylit(altitude, direct, diffuse):
+    """Dim skies of clearness 1.065-2.8 among them: the brightness of 0.2 is for the letters only."""
+    text = run_radiance("gendaylit", "-ang", altitude, 40.0, "-W", direct, diffuse, "-O", 2)
+    level, _, a, b, c, d, e, *toward = last_arguments(text)
+    sky = sd.PerezAllWeather(
+        sd.direction(np.radians(220), np.radians(altitude)), direct, diffuse, 1367 * 1.035, compat="gendaylit"
+    )
+    luminance = float(re.search(rb"solar\n0\n0\n3 (\S+)", text).group(1))
+    sun = luminance * 2 * np.pi * (1 - np.cos(np.radians(0.533 / 2)))
+    assert float(sky.direct_normal_illuminance) == pytest.approx(sun, rel=1e-3)
+    views = sd.direction(np.linspace(0, 6, 40), np.linspace(0.2, 1.5, 40))
+    angle = np.arccos(np.clip(views @ toward, -1, 1))
+    theirs = (1 + a * np.exp(b / views[:, 2])) * (1 + c * np.exp(d * angle) + e * np.cos(angle) ** 2) * level
+    assert 0.97 < np.median(theirs / sky.luminance(views)) < 1.001

@@ -8,6 +8,7 @@
 - cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
 - perez              The Perez sky from five letters
 - perez_all_weather  Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution
+- perez_table        Perez's table: clearness, brightness, bins and letters
 - preetham           Preetham, Shirley and Smits's clear sky
 - hosek_wilkie       Hosek and Wilkie's clear sky: nine numbers for each band or channel, fitted to a path tracer
 - daylight_sky       Colour for skies that know luminance only, given on purpose
