@@ -131,7 +131,7 @@ class Preetham(ColourFormulaSky, SpectralSky):
     """The clear sky of Preetham, Shirley and Smits 1999, for turbidity 2-6.
 
     `numbers` are the paper's as printed; with `PreethamNumbers.AUTHORS` it is the sky of other programs (their zenith
-    differs by up to 0.0115 in x, 0.0102 in y), with a fit of one's own (`skydome.own_air.preetham_fit`) that of another air.
+    differs by up to 0.0115 in x, 0.0102 in y), with a fit (`skydome.own_air.preetham_fit`) that of another air.
 
     Known errors: too bright at low turbidity near a low sun, too little darkening toward the horizon, no ground
     albedo (docs/models/preetham.md gives figures). `radiance` is the paper's A.5: the CIE daylight series at the sky's
