@@ -11,7 +11,7 @@ from skydome.skies.catalogue import CATALOGUE, Model
 from skydome.skies.neural.network import conditions, features
 from skydome.training.levenberg_marquardt import Examples
 
-LEAST_ELEVATION = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
+JUST_UP = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def lesson(
     teacher: Teacher, elevation: np.ndarray, turbidity: np.ndarray, albedo: np.ndarray, directions: np.ndarray
 ) -> Lesson:
     """A lesson at conditions (C,), with directions (C, D, 3); the sun stands at azimuth 0."""
-    sun = direction(np.zeros_like(elevation), np.maximum(elevation, LEAST_ELEVATION))[:, None, :]
+    sun = direction(np.zeros_like(elevation), np.maximum(elevation, JUST_UP))[:, None, :]
     turbidity, albedo = turbidity[:, None], albedo[:, None]
     return Lesson(sun, turbidity, albedo, directions, teacher.light(directions, sun, turbidity, albedo))
 
