@@ -111,7 +111,7 @@ def even_sequence(teacher: Teacher, seed: int, power: int = 14) -> Lesson:
     Suns are even in zenith angle, with 1/14 of them in the zenith and 1/7 on the horizon. Turbidity is even but for its
     first and last half, where it thins out. A fifth of the views are even in zenith angle, the others in solid angle.
     """
-    qmc = required("scipy.stats", "fit", "Sobol's sequence")
+    qmc = required("scipy.stats", "fit", "Sobol's sequence").qmc
     first, sun, azimuth, height, manner, second = qmc.Sobol(6, seed=seed).random_base2(power).T
     low, high = teacher.turbidities
     turbidity = low + (high - low - 0.5) * first + 0.5 * second
