@@ -99,7 +99,7 @@ def test_choices_differ_and_keep_the_level(greensboro, plain):
 def test_smooth_has_no_jump_at_the_edge_of_a_bin(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.tmy import from_frame
+    from skydome.years.weather.frame import from_frame
 
     times = pd.date_range("2026-06-21T17:00", periods=1, freq="h", tz="UTC")
 
@@ -136,7 +136,7 @@ def test_nothing_is_black_or_missing_in_silence(greensboro):
 def test_a_leap_day_and_a_polar_night_pass(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.tmy import from_frame
+    from skydome.years.weather.frame import from_frame
 
     times = pd.date_range("2028-02-28", periods=72, freq="h", tz="UTC")
     frame = pd.DataFrame({"dni": 100.0, "dhi": 50.0}, index=times)

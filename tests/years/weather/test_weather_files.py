@@ -13,7 +13,7 @@ from skydome.years.skies.status import BITS
 from skydome.years.weather.plausibility import share_at_night, warn_of_wrong_place
 from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import SunTrack, crossing, lit_sun
-from skydome.years.weather.tmy import from_frame
+from skydome.years.weather.frame import from_frame
 from skydome.years.weather.wea import read_wea, write_wea
 
 DATA = Path(pvlib.__file__).parent / "data"

@@ -52,7 +52,7 @@ def year(
     luminance.
 
     >>> import pandas as pd, skydome as sd
-    >>> from skydome.years.weather.tmy import from_frame
+    >>> from skydome.years.weather.frame import from_frame
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
     >>> frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
     >>> skies = year(from_frame(frame, sd.Place(45.07, 7.69)))
