@@ -22,7 +22,10 @@ BRIGHTEST = 0.6
 
 
 class PerezYear(NamedTuple):
-    """The sun and flags of T intervals; the K skies of the lit ones (indices `lit`) and their illuminances, lx."""
+    """The sun and flags of T intervals; the K skies of the lit ones (indices `lit`) and their illuminances, lx.
+
+    Lit are those with the sun up and light of any kind: where the sky sends none, its sun still shines.
+    """
 
     lit: np.ndarray
     skies: PerezSkies

@@ -71,7 +71,7 @@ def write_year(
                 data.attrs["title"] = f"A year of skies{weather.where}"
                 if k == 0:
                     clock = {"units": "seconds since 1970-01-01", "dtype": "int64"}
-                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock})
+                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock, "local_time": clock})
                 else:
                     moving = [name for name in data.variables if "time" not in data[name].dims]
                     data.drop_vars(moving).to_zarr(beside, append_dim="time")

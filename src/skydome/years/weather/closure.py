@@ -84,7 +84,7 @@ def closure_of(weather: Weather, track: SunTrack | None = None) -> Closure | Non
     if rows.size < LEAST_HOURS:
         return None
     rows = rows[:: max(1, rows.size // MOST_HOURS)]
-    track = track or track_over(weather)
+    track = track or SunTrack.over(weather.start[0], weather.end[-1])
     seconds = weather.middle[rows].astype(np.float64)
 
     def error(shift: float) -> float:
@@ -103,12 +103,6 @@ def closure_of(weather: Weather, track: SunTrack | None = None) -> Closure | Non
     if abs(noon - best) > APART:
         return found
     return replace(found, shift=best, **irradiations(weather, track, direct, best))
-
-
-def track_over(weather: Weather) -> SunTrack:
-    """The sun's track over the record and a day on both sides."""
-    day = np.timedelta64(1, "D")
-    return SunTrack.over(weather.start[0] - day, weather.end[-1] + day)
 
 
 def best_shift(error: Callable[[float], float]) -> float:
@@ -162,7 +156,9 @@ def irradiations(
     return {"east": (sums[0][0], sums[1][0]), "west": (sums[0][1], sums[1][1])}
 
 
-def aligned(weather: Weather, shift: "float | Literal['auto'] | None") -> Weather:
+def aligned(
+    weather: Weather, shift: "float | Literal['auto'] | None" = None, track: SunTrack | None = None
+) -> Weather:
     """The weather moved later by `shift` minutes, by the best one ("auto"), or as it is, with a warning of a misfit."""
     if isinstance(shift, str) and shift != "auto":
         raise ValueError(f'shift must be minutes or "auto", got {shift!r}')
@@ -170,7 +166,8 @@ def aligned(weather: Weather, shift: "float | Literal['auto'] | None") -> Weathe
         if not abs(shift) <= 2 * WIDEST:
             raise ValueError(f"shift must lie in [-{2 * WIDEST}, {2 * WIDEST}] minutes, got {shift}")
         return weather.later(shift)
-    found = closure_of(weather)
+    track = track or SunTrack.over(weather.start[0], weather.end[-1])
+    found = closure_of(weather, track)
     if found is not None and found.shift and shift == "auto":
         return weather.later(found.shift)
     if found is not None and found.shift:
@@ -182,13 +179,13 @@ def aligned(weather: Weather, shift: "float | Literal['auto'] | None") -> Weathe
             stacklevel=3,
         )
     if found is None and not weather.decomposition:
-        warn_of_noon(weather)
+        warn_of_noon(weather, track)
     return weather
 
 
-def warn_of_noon(weather: Weather) -> None:
+def warn_of_noon(weather: Weather, track: SunTrack) -> None:
     """Warn where the noon of a record without global irradiance is off: a wrong zone, mostly."""
-    noon = noon_shift(weather, np.add(*weather.irradiances), track_over(weather))
+    noon = noon_shift(weather, np.add(*weather.irradiances), track)
     if abs(noon) >= OFF_NOON:
         zone = f": is the time zone {abs(noon) / 60:.0f} h off?" if abs(noon) > 45 else ""
         warnings.warn(

@@ -55,7 +55,14 @@ def from_frame(
     nothing = np.full(len(utc), np.nan)
     direct, diffuse, dew = (nothing if values is None else values for values in (direct, diffuse, dew))
     start, end = interval(utc, usual_step(utc) if seconds is None else seconds, label, 0.0)
-    return completed(Weather(place, start, end, direct, diffuse, dew, 0.0, "", label, global_horizontal=whole))
+    offset = standard_offset(frame.index[0]) if len(utc) else 0.0
+    return completed(Weather(place, start, end, direct, diffuse, dew, offset, "", label, global_horizontal=whole))
+
+
+def standard_offset(time: "pd.Timestamp") -> float:
+    """Hours east of UTC of the standard time of an aware time's zone."""
+    shift, summer = time.utcoffset(), time.dst()
+    return 0.0 if shift is None else (shift.total_seconds() - (summer.total_seconds() if summer else 0.0)) / 3600
 
 
 def column(frame: "pd.DataFrame", name: str, given: str | None) -> np.ndarray | None:

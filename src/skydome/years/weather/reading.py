@@ -66,13 +66,24 @@ def read_weather(
     >>> weather.place.latitude, weather.direct_normal.tolist()
     (45.07, [700.0])
     """
-    text = text_of(path)
-    weather = read_text(text, year, place, utc_offset)
-    weather = weather if label is None else weather.labelled(label)
-    return aligned(weather, shift)
+    return aligned(as_written(path, year, label, place, utc_offset), shift)
 
 
-def read_text(text: Text, year: int | None, place: Place | None, utc_offset: float | None) -> Weather:
+def as_written(
+    path: str | PathLike[str],
+    year: int | None = None,
+    label: Label | None = None,
+    place: Place | None = None,
+    utc_offset: float | None = None,
+) -> Weather:
+    """The same with no look at the closure of its columns, for those who look at it themselves."""
+    weather = read_text(text_of(path), year, place, utc_offset)
+    return weather if label is None else weather.labelled(label)
+
+
+def read_text(
+    text: Text, year: int | None = None, place: Place | None = None, utc_offset: float | None = None
+) -> Weather:
     """The weather of a text of any kind; ValueError for text of none."""
     for kind in KINDS:
         if kind.known(text):

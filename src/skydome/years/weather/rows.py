@@ -61,7 +61,7 @@ def weather_from(
     dew_point = column(columns.dew_point)
     weather = Weather(
         site.place, start, end, direct, diffuse, np.where(dew_point >= 99.9, np.nan, dew_point), site.utc_offset,
-        site.name or cells.name, label, global_horizontal=None if np.isnan(whole).all() else whole,
+        site.name or cells.name, label, global_horizontal=whole if (whole > 0).any() else None,
     )  # fmt: skip
     return completed(weather)
 

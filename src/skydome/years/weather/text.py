@@ -11,6 +11,7 @@ an empty cell, nan, NA, null | missing: NaN | a number is not invented
 import csv
 import os
 from collections.abc import Callable, Sequence
+from operator import itemgetter
 from os import PathLike
 from typing import NamedTuple
 
@@ -135,25 +136,26 @@ def cells_under(text: Text, first: int, titles: dict[str, int], least: int = 0) 
     ValueError with the line for a row of fewer than `least` cells, or too few for a column.
     """
     least = max(least, *(column + 1 for column in titles.values()))
-    places, kept, lines = list(titles.values()), [], []
+    chosen, kept, lines = itemgetter(*titles.values()), [], []
     for number, line in enumerate(text.lines[first:], start=first + 1):
-        cells = cells_of(line) if '"' in line else line.split(",")
+        cells = cells_of(line) if '"' in line else line.split(",", least)
         if len(cells) < least:
             if not line.strip("\x1a\x00\t\f "):
                 continue
             raise ValueError(f"{text.name}, line {number}: a row needs {least} fields or more, got {len(cells)}")
-        if not any(cells):
+        if not any(cells[:least]):
             continue
-        kept.append([cells[column] for column in places])
+        kept.append(chosen(cells))
         lines.append(number)
-    columns = {name: [row[k] for row in kept] for k, name in enumerate(titles)}
+    columns = {name: list(column) for name, column in zip(titles, zip(*kept, strict=True), strict=True)} if kept else {}
+    columns = columns or {name: [] for name in titles}
     return Cells(text.name, np.array(lines, dtype=np.int64), columns, titles)
 
 
 def numbers(cells: Sequence[str], where: Callable[[int], str]) -> np.ndarray:
     """Numbers (T,), NaN for empty cells; quickly, and cell by cell where some are no numbers."""
     try:
-        values = np.array(cells, dtype=np.float64)
+        values = np.fromiter(map(float, cells), np.float64, len(cells))
     except ValueError:
         values = np.array([number(cell, lambda row=row: where(row)) for row, cell in enumerate(cells)])
     endless = np.flatnonzero(np.isinf(values))
