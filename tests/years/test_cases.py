@@ -50,22 +50,24 @@ def hours_missing(path, tmp_path, run_radiance):
 
 
 def sun_shines(path, tmp_path, run_radiance):
-    """Where the sky sends nothing its sun still shines, 93-99 lm for every watt."""
+    """Where the sky sends nothing its sun still shines, as in gendaymtx: within 3 % (seen: 0.5 %, 2.7 % in an EPW).
+
+    They are 99-101 lm for every watt of the tape, 105 with the sun at 68 degrees.
+    """
     data = year(path)
     direct, light = data.direct_normal_irradiance.values, data.direct_normal_illuminance.values
     alone = (data.diffuse_horizontal_irradiance.values == 0) & (direct > 100)
-    assert alone.sum() >= 1
+    assert alone.any()
     assert ((data.status.values[alone] & BITS["no_diffuse"]) > 0).all()
-    assert ((light[alone] / direct[alone] > 93) & (light[alone] / direct[alone] < 99)).all()
     assert not data.luminance.values[alone].any()
-    lit = int(((direct > 0) & (data.lit_share.values > 0)).sum())
-    assert write_suns(data, tmp_path / "suns.rad") == lit
-    if path.suffix == ".wea":
-        assert lit == 3
-        theirs = run_radiance("gendaymtx", "-n", "-D", "-", path).stdout.decode()
-        radiance = [float(line.split()[1]) for line in theirs.splitlines() if line.startswith("3 ")]
-        size = np.pi * np.radians(0.533 / 2) ** 2
-        assert np.allclose(light, np.array(radiance) * 179 * size, rtol=0.02)
+    shining = (direct > 0) & (data.lit_share.values > 0)
+    assert write_suns(data, tmp_path / "suns.rad") == shining.sum()
+    assert path.suffix == ".epw" or shining.sum() == 3
+    theirs = run_radiance("gendaymtx", "-n", "-D", "-", path).stdout.decode()
+    radiance = np.array([float(line.split()[1]) for line in theirs.splitlines() if line.startswith("3 ")])
+    ours = [float(line.split()[1]) for line in (tmp_path / "suns.rad").read_text().splitlines() if line[:2] == "3 "]
+    assert np.allclose(light[alone] / direct[alone], [101.5, 99.4] if path.suffix == ".wea" else 104.5, atol=0.1)
+    assert np.allclose(ours, radiance[radiance > 0], rtol=0.03)
 
 
 def hour_said(path, tmp_path, run_radiance):
