@@ -16,7 +16,7 @@ from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
 from skydome.years.weather.calendar import Label
-from skydome.years.weather.closure import aligned, closure_of
+from skydome.years.weather.closure import aligned, facts_of
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.reading import as_written
 from skydome.years.weather.sun_of_interval import SunTrack
@@ -93,9 +93,7 @@ def year(
     sky.status[black] |= flags.BITS["uniform"]
     luminance[weather.missing] = np.nan
     data = dataset(weather, sky, cut, luminance)
-    closure = closure_of(weather, track)
-    data.attrs |= {} if closure is None else {"closure": closure.text, "closure_shift": closure.shift}
-    data.attrs |= {"decomposition": weather.decomposition} if weather.decomposition else {}
+    data.attrs |= facts_of(weather, track)
     data.attrs |= {"compat": compat, "smooth": int(smooth), "model": "Perez all-weather 1993"}
     if compat == "gendaymtx":
         data["diffuse_horizontal_illuminance"].values[:] = luminance @ cut.horizontal_solid_angles

@@ -105,6 +105,14 @@ def closure_of(weather: Weather, track: SunTrack | None = None) -> Closure | Non
     return replace(found, shift=best, **irradiations(weather, track, direct, best))
 
 
+def facts_of(weather: Weather, track: SunTrack | None = None) -> dict[str, str | float]:
+    """What is to be said of a record's columns and stamps: closure, shift and decomposition, those that there are."""
+    closure = closure_of(weather, track)
+    facts: dict[str, str | float] = {"shift": weather.shifted} if weather.shifted else {}
+    facts |= {"decomposition": weather.decomposition} if weather.decomposition else {}
+    return facts if closure is None else facts | {"closure": closure.text, "closure_shift": closure.shift}
+
+
 def best_shift(error: Callable[[float], float]) -> float:
     """The shift, minutes, of the least error; a whole quarter of an hour where it does as well."""
     coarse = np.arange(-WIDEST, WIDEST + COARSE, COARSE)

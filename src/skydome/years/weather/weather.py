@@ -20,7 +20,8 @@ class Weather:
     hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
     `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
     `global_horizontal` (T,), W m-2, NaN where missing, is there where it was measured; `decomposition` names how direct
-    or diffuse irradiance was found from it, and is empty where both were given.
+    or diffuse irradiance was found from it, and is empty where both were given. `shifted` are minutes by which the file's
+    stamps were moved (`later`).
 
     >>> start = np.array(["2026-06-21T10"], dtype="datetime64[s]")
     >>> parts = (np.array([700.0]), np.array([120.0]), np.array([12.0]))
@@ -42,6 +43,7 @@ class Weather:
     diffuse_illuminance: np.ndarray | None = None
     global_horizontal: np.ndarray | None = None
     decomposition: str = ""
+    shifted: float = 0.0
 
     def __post_init__(self) -> None:
         if len(self.start) == 0:
@@ -101,7 +103,7 @@ class Weather:
     def later(self, minutes: float) -> "Weather":
         """The same irradiances in intervals some minutes later, or earlier (negative): the shift of a file's stamps."""
         moved = np.timedelta64(round(minutes * 60), "s")
-        return replace(self, start=self.start + moved, end=self.end + moved)
+        return replace(self, start=self.start + moved, end=self.end + moved, shifted=self.shifted + minutes)
 
     def labelled(self, label: Label) -> "Weather":
         """The weather whose rows' times are read as standing elsewhere in their intervals."""
