@@ -12,7 +12,8 @@ from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS
 from skydome.years.weather.plausibility import share_at_night, warn_of_wrong_place
 from skydome.years.weather.reading import read_weather
-from skydome.years.weather.sun_of_interval import SunTrack, crossing, lit_sun
+from skydome.sun.track import SunTrack
+from skydome.years.weather.sun_of_interval import crossing, lit_sun
 from skydome.years.weather.frame import from_frame
 from skydome.years.weather.wea import read_wea, write_wea
 

@@ -9,7 +9,8 @@ from skydome.skies.perez_all_weather import Compat, PerezAllWeather, distributio
 from skydome.sun.day import is_day
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
-from skydome.years.weather.sun_of_interval import SunTrack, lit_sun
+from skydome.sun.track import SunTrack
+from skydome.years.weather.sun_of_interval import lit_sun
 from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather
 

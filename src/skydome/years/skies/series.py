@@ -19,7 +19,7 @@ from skydome.years.weather.calendar import Label
 from skydome.years.weather.closure import aligned, facts_of
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.reading import as_written
-from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.sun.track import SunTrack
 from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import Literal
 
 import numpy as np
 
-from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.sun.track import SunTrack
 from skydome.years.weather.weather import Weather
 
 LEAST_DIRECT, LEAST_GLOBAL = 150.0, 50.0
