@@ -104,7 +104,12 @@ def minutes(text: str | None) -> float | str | None:
     >>> minutes("auto"), minutes("-30"), minutes(None)
     ('auto', -30.0, None)
     """
-    return text if text in (None, "auto") else numbers(text, 1, "--shift", "auto or 30")[0]
+    if text is None or text == "auto":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"--shift must be auto or minutes such as 30, got {text!r}") from None
 
 
 def is_sites(path: Path) -> bool:

@@ -23,7 +23,7 @@ MISSING_LIGHT = 999_900.0
 
 def is_tape(text: Text) -> bool:
     """True for text that begins as a tape does."""
-    return text.first.strip().startswith(KEYS[0])
+    return text.first.strip().lower().startswith(KEYS[0])
 
 
 def read_tape(path: "str | PathLike[str] | Text") -> tuple[dict[str, Any], np.ndarray]:
