@@ -1,4 +1,4 @@
-"""Small files that went wrong in other tools, each with what it must give; the folder's README says where they are from."""
+"""Small files that went wrong in other tools, each with what it must give, by the README of their folder."""
 
 import os
 import subprocess

@@ -6,7 +6,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # halves the time that NumPy
 
 import sys
 import warnings
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 USAGE = (
     "usage: skydome-mtx [-v] [-h] [-A] [-d | -s | -n] [-u] [-D file [-M file]] [-5 degrees] [-r degrees] [-i minutes] "
@@ -20,14 +20,14 @@ class Asked(NamedTuple):
 
     path: str = "-"
     division: int = 1
-    numbers: str = "ascii"
+    numbers: Literal["ascii", "float", "double"] = "ascii"
     header: bool = True
     matrix: bool = True
     mean: bool = False
     sun: bool = True
     disc: float = 0.0
-    colour: tuple[float, ...] | None = (0.960, 1.004, 1.118)
-    ground: tuple[float, ...] = (0.2, 0.2, 0.2)
+    colour: tuple[float, float, float] | None = (0.960, 1.004, 1.118)
+    ground: tuple[float, float, float] = (0.2, 0.2, 0.2)
     rotation: float = 0.0
     minutes: float = 0.0
     solar: bool = False
@@ -82,24 +82,28 @@ def parsed(arguments: list[str]) -> Asked:
     while words:
         word = words.pop(0)
         count = 1 if word in VALUES or word in FILES else 3 if word in COLOURS else 0
-        if len(words) < count:
-            raise ValueError(USAGE)
         given, words = words[:count], words[count:]
-        if word in FLAGS:
-            asked = asked._replace(**FLAGS[word])
-        elif word in FILES:
-            asked = asked._replace(**{FILES[word]: given[0]})
-            asked = asked._replace(**FLAGS["-n"]) if (word, given[0]) == ("-D", "-") else asked
-        elif count:
-            numbers = tuple(float(number) for number in given)
-            asked = asked._replace(**{(VALUES | COLOURS)[word]: numbers if count == 3 else numbers[0]})
-        elif word == "-" or not word.startswith("-"):
+        if len(given) < count:
+            raise ValueError(USAGE)
+        if word == "-" or not word.startswith("-"):
             paths.append(word)
         else:
-            raise ValueError(USAGE)
+            asked = asked._replace(**meaning(word, given))
     if len(paths) > 1 or asked.division not in range(1, 13) or not 0 <= asked.minutes <= 1440:
         raise ValueError(USAGE)
     return asked._replace(division=int(asked.division), path=(paths or ["-"])[0])
+
+
+def meaning(word: str, given: list[str]) -> dict[str, Any]:
+    """What an option with its words asks for; ValueError with the usage for none."""
+    if word in FLAGS:
+        return FLAGS[word]
+    if word in FILES:
+        return {FILES[word]: given[0]} | (FLAGS["-n"] if word == "-D" and given[0] == "-" else {})
+    if not given:
+        raise ValueError(USAGE)
+    numbers = tuple(float(number) for number in given)
+    return {COLOURS[word]: numbers} if word in COLOURS else {VALUES[word]: numbers[0]}
 
 
 def convert(asked: Asked) -> None:

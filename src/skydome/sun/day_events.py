@@ -32,9 +32,10 @@ Curve = Callable[[np.ndarray], np.ndarray]
 """A function of seconds, any shape, with values of that shape."""
 
 
-
-def day_events(place: Place, start: np.datetime64, end: np.datetime64) -> tuple[np.datetime64, float, dict[str, Any]]:
-    """Noon of the day between two instants, the elevation then, and the instants of `EVENTS`; NaT for those not there."""
+def day_events(
+    place: Place, start: np.datetime64, end: np.datetime64
+) -> tuple[np.datetime64, float, dict[str, np.datetime64]]:
+    """Noon of the day between two instants, the elevation then, and the instants of `EVENTS`; NaT for none."""
     noon = transit(place, start, end)
 
     def elevation(seconds: np.ndarray) -> np.ndarray:

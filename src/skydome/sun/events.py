@@ -74,7 +74,7 @@ class SunEvents:
 
     @property
     def daylight(self) -> Any:
-        """"sunrise and sunset", "polar day", "polar night", or which of them comes alone; of many days (N,) of these."""
+        """In words: sunrise and sunset, polar day, polar night, or which of the two comes alone; of many days (N,)."""
         if np.ndim(self.noon) == 0:
             return daylight_of(self.sunrise is not None, self.sunset is not None, self.noon_elevation)
         there = (~np.isnat(value) for value in (self.sunrise, self.sunset))  # type: ignore[arg-type]

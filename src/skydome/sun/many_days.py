@@ -49,7 +49,9 @@ def many_days(
         above = values >= np.sin(level)
         crossed = ~above[:, :-1] & above[:, 1:] if rises else above[:, :-1] & ~above[:, 1:]
         last = crossed.shape[1] - 1
-        index = np.where(crossed.any(axis=1), crossed.argmax(axis=1) if rises else last - crossed[:, ::-1].argmax(1), -1)
+        index = np.where(
+            crossed.any(axis=1), crossed.argmax(axis=1) if rises else last - crossed[:, ::-1].argmax(1), -1
+        )
         found = np.flatnonzero(index >= 0)
         rows.append(found)
         levels.append(np.full(found.size, level))
@@ -57,7 +59,9 @@ def many_days(
     every = np.concatenate(levels)
     roots = on_elevation(place, height, on_course(height, np.concatenate(times), every), every)
     instants = {name: np.full(noon.size, np.datetime64("NaT", "us")) for name in EVENTS}
-    for name, found, part in zip(EVENTS, rows, np.split(roots, np.cumsum([row.size for row in rows])[:-1]), strict=True):
+    for name, found, part in zip(
+        EVENTS, rows, np.split(roots, np.cumsum([row.size for row in rows])[:-1]), strict=True
+    ):
         instants[name][found] = later(EPOCH, part)
     at_noon = np.arcsin(sun_direction(place, noon)[..., 2])
     turns = np.arcsin(np.clip([values.max(axis=1), values.min(axis=1)], -1, 1))

@@ -1,4 +1,4 @@
-"""The sun over some days for any place on the earth: its course interpolated from one look a day, quick for many instants."""
+"""The sun over some days for any place on the earth: interpolated from one look a day, quick for many instants."""
 
 from dataclasses import dataclass
 

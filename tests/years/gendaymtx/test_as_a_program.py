@@ -34,7 +34,9 @@ def summer(tmp_path):
     return tmp_path / "a.wea"
 
 
-@pytest.mark.parametrize("options", ["", "-A", "-u", "-u -A", "-d", "-d -g 0.3 0.2 0.1", "-s -d", "-c 0 0 0", "-m 2 -A", "-rz 20"])
+@pytest.mark.parametrize(
+    "options", ["", "-A", "-u", "-u -A", "-d", "-d -g 0.3 0.2 0.1", "-s -d", "-c 0 0 0", "-m 2 -A", "-rz 20"]
+)
 def test_every_option_gives_what_gendaymtx_gives(run_radiance, summer, options):
     words = ["-h", "-of", *options.split(), summer]
     values, expected = of_floats(ours(*words)), of_floats(run_radiance("gendaymtx", *words))
@@ -86,7 +88,9 @@ def test_an_epw_that_begins_by_day(run_radiance, make_epw, tmp_path):
     row, header = make_epw
     dew_points = [15.0, 3.0, 99.9, 9.0, -4.0]
     rows = [row(6, 21, 10 + k, dew, 500, 100) for k, dew in enumerate(dew_points)]
-    text = header.format(name="a", latitude=50, longitude=10, offset=1, altitude=0).replace(" 1/ 1,12/31", " 6/21, 6/21")
+    text = header.format(name="a", latitude=50, longitude=10, offset=1, altitude=0).replace(
+        " 1/ 1,12/31", " 6/21, 6/21"
+    )
     (tmp_path / "a.epw").write_text(text + "\n".join(rows) + "\n")
     expected = run_radiance("gendaymtx", "-h", "-of", tmp_path / "a.epw")
     assert np.allclose(of_floats(ours("-h", "-of", tmp_path / "a.epw")), of_floats(expected), rtol=1e-5, atol=0)

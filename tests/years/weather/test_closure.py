@@ -125,7 +125,17 @@ def test_on_the_command_line(tmp_path, greensboro, files):
     assert answer.returncode == 2
     assert "--shift must be auto or minutes such as 30, got 'soon'" in answer.stderr
     (tmp_path / "a.csv").write_text("Month,Day,Hour,DNI,DHI\n6,21,11,900,100\n6,21,12,910,101\n")
-    words = [sys.executable, "-m", "skydome", "year", tmp_path / "a.csv", "--place", "40,-105,1600", "--utc-offset", "-7"]
+    words = [
+        sys.executable,
+        "-m",
+        "skydome",
+        "year",
+        tmp_path / "a.csv",
+        "--place",
+        "40,-105,1600",
+        "--utc-offset",
+        "-7",
+    ]
     answer = subprocess.run([*map(str, words), "--json"], capture_output=True, text=True, check=True)
     assert '"altitude": 1600.0' in answer.stdout
 

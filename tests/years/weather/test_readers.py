@@ -138,7 +138,11 @@ def test_headers_of_tapes_with_words_after_numbers(tmp_path, old, new, value):
         ("a.wea", TAPE.replace("latitude 50", "latitude 50,5") + "6 21 12 1 1\n", "line 2: latitude must be a number"),
         ("a.wea", TAPE.replace("latitude 50", "latitude 91") + "6 21 12 1 1\n", "latitude must lie in"),
         ("a.wea", TAPE + "6 21 25 1 1\n", r"line 7, column 3 \(hour\): hour must lie in \[0, 24\], got 25"),
-        ("a.wea", TAPE + "6 21 12 1 3000\n", r"line 7, column 5 \(diffuse\): must lie in \[-10, 2000\] W m-2, got 3000"),
+        (
+            "a.wea",
+            TAPE + "6 21 12 1 3000\n",
+            r"line 7, column 5 \(diffuse\): must lie in \[-10, 2000\] W m-2, got 3000",
+        ),
         ("a.wea", TAPE + "6 31 12 1 1\n", "line 7: no such date as month 6, day 31"),
         ("a.wea", TAPE, "at least one row of data, got none"),
         ("a.wea", TAPE + "6 21 12 1 1\n6 21 11 1 1\n", "line 8: times must increase, got 2023-06-21 11:00 after"),
@@ -206,7 +210,9 @@ Gb(i): Beam (direct) irradiance on the inclined plane
 def test_nsrdb_and_sam(tmp_path, text):
     (tmp_path / "a.csv").write_text(text)
     weather = read_weather(tmp_path / "a.csv")
-    assert [str(time) for time in weather.local] == [f"{weather.local[0].astype('M8[Y]')}-06-21T{h}:30:00" for h in (11, 12)]
+    assert [str(time) for time in weather.local] == [
+        f"{weather.local[0].astype('M8[Y]')}-06-21T{h}:30:00" for h in (11, 12)
+    ]
     assert weather.direct_normal.tolist() == [900, 910]
     assert weather.diffuse_horizontal.tolist() == [100, 101]
     assert weather.utc_offset == -7

@@ -8,13 +8,13 @@ import pvlib
 import pytest
 
 import skydome as sd
+from skydome.sun.track import SunTrack
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS
+from skydome.years.weather.frame import from_frame
 from skydome.years.weather.plausibility import share_at_night, warn_of_wrong_place
 from skydome.years.weather.reading import read_weather
-from skydome.sun.track import SunTrack
 from skydome.years.weather.sun_of_interval import crossing, lit_sun
-from skydome.years.weather.frame import from_frame
 from skydome.years.weather.wea import read_wea, write_wea
 
 DATA = Path(pvlib.__file__).parent / "data"
@@ -133,7 +133,10 @@ def test_missing_and_slightly_negative_values(tmp_path, make_epw):
     ("spoil", "message"),
     [
         (lambda text: text[: text.rindex(",0,0")][:-40], "a row needs 16 fields or more"),
-        (lambda text: text.replace("777", "much"), r"line 9, column 15 \(direct normal\): must be a number, got 'much'"),
+        (
+            lambda text: text.replace("777", "much"),
+            r"line 9, column 15 \(direct normal\): must be a number, got 'much'",
+        ),
         (lambda text: text.replace("777", "-777"), r"line 9, column 15 \(direct normal\): must lie in .* got -777"),
         (lambda text: text.replace("777", "inf"), r"line 9, column 15 .*: numbers must be finite, got 'inf'"),
         (lambda text: text.replace("2023,6,21", "2023,6,31"), "line 9: no such date as month 6, day 31"),
@@ -142,7 +145,10 @@ def test_missing_and_slightly_negative_values(tmp_path, make_epw):
         (lambda text: text.replace("PERIODS,1,1", "PERIODS,1,7"), "DATA PERIODS must tell"),
         (lambda text: text[10:], "line 1: not a weather file of a kind that is read here"),
         (lambda text: "\n".join(text.splitlines()[:8]), "at least one row"),
-        (lambda text: text + text.splitlines()[8] + "\n", "line 11: times must increase, got 2023-06-21 12:00 after 2023-06-21 13:00"),
+        (
+            lambda text: text + text.splitlines()[8] + "\n",
+            "line 11: times must increase, got 2023-06-21 12:00 after 2023-06-21 13:00",
+        ),
     ],
 )
 def test_bad_epw_rows_are_told_by_line(tmp_path, make_epw, spoil, message):
@@ -161,7 +167,11 @@ def test_bad_epw_rows_are_told_by_line(tmp_path, make_epw, spoil, message):
         ("6 21 12.5 500 100", "6 21 12.5 x 100", r"line 7, column 4 \(direct\): must be a number, got 'x'"),
         ("latitude", "lat", "line 2: a WEA file has latitude here"),
         ("units 1", "units 4", r"must be 1 or 2 \(irradiances\) or 3 \(illuminances\), got 4"),
-        ("units 1\n6 21 12.5 500", "units 3\n6 21 12.5 160000", r"line 7, column 4: illuminances must lie in .* lx, got 160000"),
+        (
+            "units 1\n6 21 12.5 500",
+            "units 3\n6 21 12.5 160000",
+            r"line 7, column 4: illuminances must lie in .* lx, got 160000",
+        ),
         ("longitude -10", "longitude west", "line 3: longitude must be a number, got 'west'"),
     ],
 )

@@ -36,7 +36,8 @@ def year(
     suns: Annotated[Path | None, Option(help="Write the suns as Radiance sources: suns.rad.")] = None,
     plot: Annotated[Path | None, Option(help="Heat map and monthly domes: year.png, .svg or .pdf.")] = None,
     label: Annotated[
-        str | None, Option(metavar="end|start|middle", help="Where rows' times stand, if not where the format has them.")
+        str | None,
+        Option(metavar="end|start|middle", help="Where rows' times stand, if not where the format has them."),
     ] = None,
     shift: Annotated[
         str | None, Option(metavar="auto|MINUTES", help="Move the irradiances later, so that they fit the sun.")
@@ -154,7 +155,9 @@ def single(
 
             save_figure(year_figure(data), plot)
     facts = {"site": data.attrs["title"], "place": place_facts(data), "hours": data.sizes["time"]}
-    facts |= {name: data.attrs[name] for name in ("shift", "closure", "closure_shift", "decomposition") if name in data.attrs}
+    facts |= {
+        name: data.attrs[name] for name in ("shift", "closure", "closure_shift", "decomposition") if name in data.attrs
+    }
     facts |= {"patches": data.sizes["patch"], "status": counts(data["status"].values)}
     diffuse = data["diffuse_horizontal_illuminance"]
     facts["mean_diffuse_horizontal_lx"] = round(float(diffuse.where(data["lit_share"] > 0).mean()), 1)

@@ -77,7 +77,8 @@ def solar_time(tape: Tape) -> np.ndarray:
 
 def declination(day: np.ndarray) -> np.ndarray:
     """The sun's declination, radians, (T,)."""
-    return 0.4093 * np.sin(2 * np.pi / 365 * (day - 81))
+    found: np.ndarray = 0.4093 * np.sin(2 * np.pi / 365 * (day - 81))
+    return found
 
 
 def sun_of(tape: Tape, minutes: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
@@ -109,7 +110,8 @@ def within_daylight(tape: Tape, hour: np.ndarray, half: float) -> np.ndarray:
 
 def in_the_sky(altitude: np.ndarray) -> np.ndarray:
     """True where part of the sun's disc is above the horizon, (T,)."""
-    return altitude > -SUN_RADIUS
+    up: np.ndarray = altitude > -SUN_RADIUS
+    return up
 
 
 def tape_of(path: "str | PathLike[str] | Text") -> Tape:
@@ -147,9 +149,11 @@ def tell_of_end(name: str, number: np.ndarray, hour: np.ndarray) -> None:
 
 def tape_from(weather: "Weather") -> Tape:
     """The tape that gendaymtx makes of a `Weather`: of an EPW with the mean dew point of three hours, else its own."""
+    direct, diffuse = weather.irradiances
     photometric = weather.direct_illuminance is not None and weather.diffuse_illuminance is not None
-    light = (weather.direct_illuminance, weather.diffuse_illuminance) if photometric else weather.irradiances
-    direct, diffuse = (np.where(weather.missing, np.nan, value) for value in light)
+    if weather.direct_illuminance is not None and weather.diffuse_illuminance is not None:
+        direct, diffuse = weather.direct_illuminance, weather.diffuse_illuminance
+    direct, diffuse = (np.where(weather.missing, np.nan, value) for value in (direct, diffuse))
     ended = weather.label == "end"
     dew_point = three_hours(weather.dew_point) if ended else np.nan_to_num(weather.dew_point, nan=DEW_POINT)
     month, day, hour = month_day_hour(weather.local)

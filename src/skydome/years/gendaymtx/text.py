@@ -7,12 +7,13 @@ from typing import BinaryIO, Literal
 
 import numpy as np
 
-
 Numbers = Literal["ascii", "float", "double"]
 """How the numbers of a matrix are written."""
 
 
-def header(shape: tuple[int, int], place: tuple[float, float], numbers: Numbers, maker: str, channels: int = 3) -> bytes:
+def header(
+    shape: tuple[int, int], place: tuple[float, float], numbers: Numbers, maker: str, channels: int = 3
+) -> bytes:
     """The header of a matrix of `shape` (rows, columns)."""
     order = "" if numbers == "ascii" else f"BigEndian={int(sys.byteorder == 'big')}\n"
     lines = f"#?RADIANCE\n{maker}\nLATLONG= {place[0]:.8f} {place[1]:.8f}\nNROWS={shape[0]}\nNCOLS={shape[1]}\n"

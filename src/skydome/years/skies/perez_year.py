@@ -7,9 +7,9 @@ import numpy as np
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.perez_all_weather import Compat, PerezAllWeather, distribution_letters
 from skydome.sun.day import is_day
+from skydome.sun.track import SunTrack
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
-from skydome.sun.track import SunTrack
 from skydome.years.weather.sun_of_interval import lit_sun
 from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather

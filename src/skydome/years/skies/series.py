@@ -11,6 +11,7 @@ from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.units import deg
+from skydome.sun.track import SunTrack
 from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
@@ -19,7 +20,6 @@ from skydome.years.weather.calendar import Label
 from skydome.years.weather.closure import aligned, facts_of
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.reading import as_written
-from skydome.sun.track import SunTrack
 from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:
@@ -47,9 +47,9 @@ def year(
     """The skies of a year: luminance (time, patch), cd m-2, float32, with sun, illuminances and status by the interval.
 
     `weather` is a file that `read_weather` knows, or a `Weather`; `label` and `shift` are as there. `time` is UTC,
-    `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so that together
-    they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun's disc is not in them: it is
-    `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
+    `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so
+    that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun's disc is not in them: it
+    is `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
     1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
     neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
     patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch,

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from skydome.ground.extras import required
+from skydome.sun.track import SunTrack
 from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
 from skydome.years.weather.closure import aligned
 from skydome.years.weather.reading import as_written
-from skydome.sun.track import SunTrack
 from skydome.years.weather.weather import Weather
 
 SITES_A_TASK = 5

@@ -160,7 +160,9 @@ def days_from(first: tuple[int, int, int] | None, last: tuple[int, int, int] | N
     both = first[0] > 0 and last[0] > 0
     years = (first[0], last[0]) if both else (COMMON_YEAR - 1, COMMON_YEAR - 1 + (last[1:] < first[1:]))
     try:
-        start, end = (np.datetime64(f"{y:04}-{day[1]:02}-{day[2]:02}") for y, day in zip(years, (first, last), strict=True))
+        start, end = (
+            np.datetime64(f"{y:04}-{day[1]:02}-{day[2]:02}") for y, day in zip(years, (first, last), strict=True)
+        )
     except ValueError:
         return None
     length = int((end - start).astype(np.int64)) + 1

@@ -30,7 +30,7 @@ WORTH, BETTER = 10.0, 0.6
 """A shift is told of from 10 minutes on, if it leaves 0.6 or less of the error."""
 
 APART, LEAST_DAYS, CLEAREST = 20.0, 60, 4
-"""Minutes by which both witnesses may differ; days for a noon, of each twelfth of which the brightest four are taken."""
+"""Minutes by which both witnesses may differ; days that a noon needs; how many are taken of each twelfth of them."""
 
 OFF_NOON = 40.0
 """Minutes of noon that are told of where no global irradiance was measured."""
@@ -102,7 +102,8 @@ def closure_of(weather: Weather, track: SunTrack | None = None) -> Closure | Non
     found = Closure(here, best, least, noon)
     if abs(noon - best) > APART:
         return found
-    return replace(found, shift=best, **irradiations(weather, track, direct, best))
+    east, west = irradiations(weather, track, direct, best)
+    return replace(found, shift=best, east=east, west=west)
 
 
 def facts_of(weather: Weather, track: SunTrack | None = None) -> dict[str, str | float]:
@@ -153,7 +154,7 @@ def minutes_from_noon(weather: Weather, track: SunTrack, seconds: np.ndarray) ->
 
 def irradiations(
     weather: Weather, track: SunTrack, direct: np.ndarray, shift: float
-) -> dict[str, tuple[float, float]]:
+) -> tuple[tuple[float, float], tuple[float, float]]:
     """Direct irradiation on upright planes that face east and west, kWh m-2, each as it stands and shifted."""
     hours = (weather.end - weather.start).astype(np.float64) / 3600
     sums = []
@@ -161,12 +162,10 @@ def irradiations(
         toward = track.directions(weather.place, weather.middle.astype(np.float64) + 60 * later)
         beam = np.where(toward[:, 2] > 0, direct, 0) * hours / 1000
         sums.append([float((beam * np.maximum(sign * toward[:, 0], 0)).sum()) for sign in (1, -1)])
-    return {"east": (sums[0][0], sums[1][0]), "west": (sums[0][1], sums[1][1])}
+    return (sums[0][0], sums[1][0]), (sums[0][1], sums[1][1])
 
 
-def aligned(
-    weather: Weather, shift: "float | Literal['auto'] | None" = None, track: SunTrack | None = None
-) -> Weather:
+def aligned(weather: Weather, shift: "float | Literal['auto'] | None" = None, track: SunTrack | None = None) -> Weather:
     """The weather moved later by `shift` minutes, by the best one ("auto"), or as it is, with a warning of a misfit."""
     if isinstance(shift, str) and shift != "auto":
         raise ValueError(f'shift must be minutes or "auto", got {shift!r}')
@@ -181,8 +180,8 @@ def aligned(
     if found is not None and found.shift:
         (east, east_then), (west, west_then) = found.east, found.west
         warnings.warn(
-            f"the solar columns do not fit the sun of their stamps{weather.where}: {found.text}; direct irradiation on a "
-            f"plane facing east would be {east_then:.0f} for {east:.0f}, facing west {west_then:.0f} for {west:.0f} "
+            f"the solar columns do not fit the sun of their stamps{weather.where}: {found.text}; direct irradiation on "
+            f"a plane facing east would be {east_then:.0f} for {east:.0f}, facing west {west_then:.0f} for {west:.0f} "
             f'kWh m-2; shift="auto" or shift={found.shift:g} (--shift) moves them',
             stacklevel=3,
         )

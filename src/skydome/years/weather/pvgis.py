@@ -70,7 +70,7 @@ def of_horizontal(cells: Cells, site: Site, middles: np.ndarray) -> Weather:
 
 def header(text: Text) -> tuple[dict[str, str], int]:
     """What the lines before the titles say, by their first words, and the index of the titles; ValueError without."""
-    facts = {}
+    facts: dict[str, str] = {}
     for k, line in enumerate(text.lines[:MOST_HEADER_LINES]):
         if line.startswith("time"):
             return facts, k

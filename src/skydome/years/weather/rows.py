@@ -1,4 +1,4 @@
-"""What the rows of a weather file say, made into `Weather`: checked by line and column, split where global light is all.
+"""What the rows of a weather file say, made into `Weather`: checked by line and column, split where all is global.
 
 Every reader ends here, so that each of them has the same checks and says where a fault stands.
 """
@@ -6,6 +6,7 @@ Every reader ends here, so that each of them has the same checks and says where 
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -55,7 +56,7 @@ def weather_from(
 
     direct, diffuse = column(columns.direct_normal), column(columns.diffuse_horizontal)
     for title, values in ((columns.direct_normal, direct), (columns.diffuse_horizontal, diffuse)):
-        require_possible(values, lambda row, title=title: cells.where(title, row))
+        require_possible(values, partial(cells.where, title))
     whole = column(columns.global_horizontal)
     whole = np.where((whole < SENSOR_OFFSET) | (whole > GREATEST_IRRADIANCE), np.nan, whole)
     dew_point = column(columns.dew_point)

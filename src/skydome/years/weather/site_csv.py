@@ -1,7 +1,7 @@
 """Tables with titled columns (.csv): those of NSRDB and SAM, under two lines that tell of the site, and bare ones.
 
-A row's time, in columns Year, Month, Day, Hour and Minute, is the middle of its interval: NSRDB and SAM write hour 12 and
-minute 30 for 12 to 13 h. Without minutes hour 12 is that hour too.
+A row's time, in columns Year, Month, Day, Hour and Minute, is the middle of its interval: NSRDB and SAM write hour 12
+and minute 30 for 12 to 13 h. Without minutes hour 12 is that hour too.
 """
 
 import re
@@ -50,7 +50,9 @@ def is_bare(text: Text) -> bool:
 def read_with_site(path: "str | PathLike[str] | Text", year: int | None = None) -> Weather:
     """The weather of a file of NSRDB (PSM) or SAM; ValueError with line and column for what cannot be read."""
     text = text_of(path)
-    facts = dict(zip(map(plain, cells_of(text.first)), cells_of(text.lines[1]) if len(text.lines) > 1 else [], strict=False))
+    facts = dict(
+        zip(map(plain, cells_of(text.first)), cells_of(text.lines[1]) if len(text.lines) > 1 else [], strict=False)
+    )
 
     def value(*names: str) -> float:
         cell = next((facts[name] for name in names if facts.get(name)), "nothing")
@@ -77,9 +79,7 @@ def table(text: Text, titles_at: int, site: Site, year: int | None) -> Weather:
     """The weather of the rows under the titles of the line of index `titles_at`."""
     titles = [plain(cell) for cell in cells_of(text.lines[titles_at])] if len(text.lines) > titles_at else []
     found = {name: titles.index(name) for name in (YEAR, MONTH, DAY, HOUR, MINUTE) if name in titles}
-    named = {
-        name: next((known for known in all_names if known in titles), "") for name, all_names in NAMES.items()
-    }
+    named = {name: next((known for known in all_names if known in titles), "") for name, all_names in NAMES.items()}
     light = {name for name, title in named.items() if title and name != "dew_point"}
     lacking = [name for name in (MONTH, DAY, HOUR) if name not in found]
     if lacking or not light or light == {"direct_normal"}:

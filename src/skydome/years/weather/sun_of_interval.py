@@ -12,6 +12,7 @@ from skydome.years.weather.weather import Weather
 HALF_A_SECOND, MOST_LOOKS = 1e-6, 40
 """Sine of the height within which the sun is on the horizon (0.5 s of its course near the pole circle), and a limit."""
 
+
 @dataclass(frozen=True, eq=False)
 class LitSun:
     """The sun of T intervals: its `directions` (T, 3), the instants (T,) it is taken at, and the `lit` share (T,).

@@ -11,6 +11,7 @@ an empty cell, nan, NA, null | missing: NaN | a number is not invented
 import csv
 import os
 from collections.abc import Callable, Sequence
+from functools import partial
 from operator import itemgetter
 from os import PathLike
 from typing import NamedTuple
@@ -73,9 +74,9 @@ def content_of(path: str | PathLike[str]) -> bytes:
 
 
 def decoded(content: bytes) -> str:
-    """Text of UTF-8 or UTF-16, the latter by its mark, else of Latin-1; without the mark.
+    r"""Text of UTF-8 or UTF-16, the latter by its mark, else of Latin-1; without the mark.
 
-    >>> decoded(b"\\xef\\xbb\\xbfLOCATION"), decoded(b"Z\\xfcrich")
+    >>> decoded(b"\xef\xbb\xbfLOCATION"), decoded(b"Z\xfcrich")
     ('LOCATION', 'Zürich')
     """
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -157,7 +158,7 @@ def numbers(cells: Sequence[str], where: Callable[[int], str]) -> np.ndarray:
     try:
         values = np.fromiter(map(float, cells), np.float64, len(cells))
     except ValueError:
-        values = np.array([number(cell, lambda row=row: where(row)) for row, cell in enumerate(cells)])
+        values = np.array([number(cell, partial(where, row)) for row, cell in enumerate(cells)])
     endless = np.flatnonzero(np.isinf(values))
     if endless.size:
         raise ValueError(f"{where(int(endless[0]))}: numbers must be finite, got {cells[endless[0]]!r}")

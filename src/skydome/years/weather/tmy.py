@@ -12,7 +12,12 @@ from skydome.years.weather.text import Cells, Text, cells_of, cells_under, numbe
 from skydome.years.weather.weather import Weather
 
 DATE, TIME = "Date (MM/DD/YYYY)", "Time (HH:MM)"
-TMY3_COLUMNS = {"direct_normal": "DNI", "diffuse_horizontal": "DHI", "global_horizontal": "GHI", "dew_point": "Dew-point"}
+TMY3_COLUMNS = {
+    "direct_normal": "DNI",
+    "diffuse_horizontal": "DHI",
+    "global_horizontal": "GHI",
+    "dew_point": "Dew-point",
+}
 """Beginnings of the titles of a TMY3 file: programs write "DNI (W/m^2)" and "DNI (W/m^2))"."""
 
 TM2_HEADER = re.compile(r" ?\d{5} .{22} .{2} +-?\d{1,3} [NS] *\d+ +\d+ [EW] *\d+ +\d+ +-?\d+")

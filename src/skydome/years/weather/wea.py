@@ -1,6 +1,7 @@
 """Radiance's weather tapes (WEA): times at the middle of the interval, longitude and zone positive to the west."""
 
 from dataclasses import replace
+from functools import partial
 from os import PathLike
 
 import numpy as np
@@ -52,7 +53,9 @@ def read_wea(path: "str | PathLike[str] | Text", year: int | None = None) -> Wea
     text = text_of(path)
     head, rows = read_tape(text)
     utc_offset = -head["time_zone"] / 15
-    place = place_at(head["latitude"], -head["longitude"], head["site_elevation"], utc_offset, f"{text.name}, lines 2-5")
+    place = place_at(
+        head["latitude"], -head["longitude"], head["site_elevation"], utc_offset, f"{text.name}, lines 2-5"
+    )
     months, days, hours, direct, diffuse = rows.T
     check_rows(months, days, hours, text.name)
     laid = laid_years(np.zeros_like(months), months, days, year)
@@ -82,13 +85,18 @@ def check_rows(months: np.ndarray, days: np.ndarray, hours: np.ndarray, name: st
         )
 
 
+def where_of(name: str, column: int, row: int) -> str:
+    """Where a cell stands, for messages; columns from 1, rows from 0."""
+    return f"{name}, line {FIRST_LINE + row}, column {column} ({TITLES[column - 1]})"
+
+
 def check_light(direct: np.ndarray, diffuse: np.ndarray, units: float, name: str) -> None:
     """ValueError with the line of the first irradiance, W m-2, or illuminance, lx, that cannot be; NaN passes."""
     if units == PHOTOMETRIC:
         check_illuminances(direct, diffuse, name)
         return
     for k, values in ((4, direct), (5, diffuse)):
-        require_possible(values, lambda row, k=k: f"{name}, line {FIRST_LINE + row}, column {k} ({TITLES[k - 1]})")
+        require_possible(values, partial(where_of, name, k))
 
 
 def check_illuminances(direct: np.ndarray, diffuse: np.ndarray, name: str) -> None:
@@ -97,7 +105,7 @@ def check_illuminances(direct: np.ndarray, diffuse: np.ndarray, name: str) -> No
     row, column = np.nonzero((both < LEAST_ILLUMINANCE) | (both > GREATEST_ILLUMINANCE))
     if row.size:
         raise ValueError(
-            f"{name}, line {FIRST_LINE + row[0]}, column {column[0] + 4}: illuminances must lie in [{LEAST_ILLUMINANCE:g}, "
+            f"{where_of(name, column[0] + 4, row[0])}: illuminances must lie in [{LEAST_ILLUMINANCE:g}, "
             f"{GREATEST_ILLUMINANCE:g}] lx, got {both[row[0], column[0]]:g}"
         )
 
@@ -113,9 +121,8 @@ def with_illuminances(weather: Weather, direct: np.ndarray, diffuse: np.ndarray)
     light = np.maximum(direct, 0.0), np.maximum(diffuse, 0.0)
     known = ~weather.missing
     beam, sky = np.full_like(direct, np.nan), np.full_like(direct, np.nan)
-    beam[known], sky[known] = irradiances_of(
-        *(value[known] for value in (*light, zenith, day, weather.dew_point)), SMALLEST_STEP, MOST_STEPS
-    )
+    given = (value[known] for value in (*light, zenith, day, weather.dew_point))
+    beam[known], sky[known] = irradiances_of(*given, SMALLEST_STEP, MOST_STEPS)  # type: ignore[call-arg]
     return replace(
         weather,
         direct_normal=np.where(direct < 0, weather.direct_normal, beam),

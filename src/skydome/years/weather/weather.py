@@ -19,9 +19,9 @@ class Weather:
     in W m-2 and `dew_point` (T,) in degrees C, each NaN where missing. `utc_offset` is the file's standard time,
     hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
     `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
-    `global_horizontal` (T,), W m-2, NaN where missing, is there where it was measured; `decomposition` names how direct
-    or diffuse irradiance was found from it, and is empty where both were given. `shifted` are minutes by which the file's
-    stamps were moved (`later`).
+    `global_horizontal` (T,), W m-2, NaN where missing, is there where it was measured; `decomposition` names how
+    direct or diffuse irradiance was found from it, and is empty where both were given. `shifted` are the minutes by
+    which the file's stamps were moved (`later`).
 
     >>> start = np.array(["2026-06-21T10"], dtype="datetime64[s]")
     >>> parts = (np.array([700.0]), np.array([120.0]), np.array([12.0]))
