@@ -170,7 +170,7 @@ def test_bad_epw_rows_are_told_by_line(tmp_path, make_epw, spoil, message):
         (
             "units 1\n6 21 12.5 500",
             "units 3\n6 21 12.5 160000",
-            r"line 7, column 4: illuminances must lie in .* lx, got 160000",
+            r"line 7, column 4 .*: illuminances must lie in .* lx, got 160000",
         ),
         ("longitude -10", "longitude west", "line 3: longitude must be a number, got 'west'"),
     ],

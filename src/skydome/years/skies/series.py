@@ -48,7 +48,7 @@ def year(
 
     `weather` is a file that `read_weather` knows, or a `Weather`; `label` and `shift` are as there. `time` is UTC,
     `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so
-    that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun's disc is not in them: it
+    that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun is not in them: it
     is `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
     1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
     neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
