@@ -60,10 +60,11 @@ def in_memory(tape):
     """Milliseconds from arrays to (8760, 2305), one channel, output reused."""
     import skydome as sd
     from skydome.dome.patches import reinhart
+    from skydome.years.gendaymtx import hours
     from skydome.years.gendaymtx import matrix as gendaymtx
     from skydome.years.skies.dome_means import PerezSkies, dome_means
 
-    skies, cut = gendaymtx.skies_of(gendaymtx.tape_of(tape)), reinhart(4)
+    skies, cut = gendaymtx.skies_of(hours.tape_of(tape)), reinhart(4)
     suns = sd.direction(skies.azimuth, np.pi / 2 - skies.zenith)
     out = np.zeros((8760, cut.count), np.float32)
     for name, centres in (("centres", True), ("true means", False)):

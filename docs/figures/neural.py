@@ -21,7 +21,7 @@ from skydome.skies.neural.network import PUBLISHED, RationalOutput
 from skydome.skies.neural.sky import NeuralSpectralSky
 from skydome.training.halving import Halving
 from skydome.training.lessons import TEACHERS, held_out
-from skydome.training.method import Recipe
+from skydome.training.method import TrainingRecipe
 from skydome.training.recipes import RECIPES
 from skydome.training.train import train
 from skydome.training.validation import relative_error, validated, validated_by_zenith
@@ -165,7 +165,7 @@ def figure_5():
     single, sun = map_views().astype(np.float32), sd.direction(1.0, 0.5)
     errors, seconds = [], []
     for width in widths:
-        recipe = Recipe(PUBLISHED, (width,), RationalOutput(), starts=12, rounds=((4, 30),), steps=100,
+        recipe = TrainingRecipe(PUBLISHED, (width,), RationalOutput(), starts=12, rounds=((4, 30),), steps=100,
                         most_samples=5000, method=Halving())  # fmt: skip
         networks = [train(teacher, recipe, seed) for seed in (0, 1)]
         errors.append(np.mean([validated(network, teacher).target for network in networks]))

@@ -65,3 +65,9 @@ def test_bad_input_is_one_line_and_exit_code_2(arguments, tmp_path):
     assert done.returncode == 2
     assert len(done.stderr.strip().splitlines()) == 1
     assert not path.exists()
+
+
+def test_models_without_a_shader_are_refused_before_their_sky_is_made(call):
+    result = call("shader", "--sun", "200,35", "--model", "path-traced")
+    assert result.exit_code == 2
+    assert "got path-traced" in result.stderr

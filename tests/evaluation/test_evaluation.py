@@ -82,7 +82,7 @@ def test_the_symmetry_of_a_scan_gives_back_the_known_azimuth_correction(sky):
     for k in (0, 5, 11):
         views = sd.direction(np.broadcast_to(nominal, sky.band().shape)[k] * deg, (90 - zenith) * deg)
         found = turned_to_sun(views, sky.band()[k], sky.suns[k])
-        turn = np.degrees(sd.ground.directions.azimuth(found) - sd.ground.directions.azimuth(views))[0] % 360
+        turn = np.degrees(sd.azimuth(found) - sd.azimuth(views))[0] % 360
         assert turn == pytest.approx(correction[k], abs=4)
 
 

@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome.air.cross_sections import rayleigh_depth
 from skydome.cli.main import app
+from skydome.light.spectrum import xyz_weights
 from skydome.own_air.bezier_family import bezier_family
 from skydome.own_air.bezier_fit import AllSuns
 from skydome.own_air.family import SkyFamily
@@ -95,7 +96,7 @@ def test_the_published_tables_as_tables_of_ones_own(tmp_path):
     sun, w = sd.direction(1.0, 0.6), [320.0, 500.0, 700.0]
     own, theirs = (sd.HosekWilkie(sun, 3.3, 0.35, tables=t) for t in (tmp_path / "published.npz", None))
     np.testing.assert_allclose(own.radiance(views, w), theirs.radiance(views, w), rtol=1e-12)
-    bands = theirs.radiance(views, BANDS) @ sd.light.spectrum.xyz_weights(BANDS)
+    bands = theirs.radiance(views, BANDS) @ xyz_weights(BANDS)
     np.testing.assert_allclose(own.xyz(views), bands, rtol=1e-12)
     np.testing.assert_allclose(own.luminance(views), bands[:, 1], rtol=1e-12)
     fast = own.rgb(np.broadcast_to(views, (400, 50, 3)).astype(np.float32))

@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome.air.cross_sections import rayleigh_depth
 from skydome.cli.main import app
+from skydome.light.spectrum import xyz_weights
 from skydome.own_air.family import SkyFamily
 from skydome.own_air.grid import Grid, simulate
 from skydome.own_air.preetham_fit import preetham_fit
@@ -62,7 +63,7 @@ def test_physical_skies_are_fitted_better_than_preetham_has_them():
         found = []
         for k, height in enumerate(SUNS):
             sun = sd.direction(np.pi, height)
-            truth = (family.radiance[1, 0, k] @ sd.light.spectrum.xyz_weights(family.wavelengths))[:, 1]
+            truth = (family.radiance[1, 0, k] @ xyz_weights(family.wavelengths))[:, 1]
             found.append(share @ (kind(sun, 3.0, *more).luminance(family.views.directions) / truth - 1) ** 2)
         return float(np.sqrt(np.mean(found)))
 

@@ -13,6 +13,7 @@ import pytest
 
 import skydome as sd
 from skydome.air.atmosphere import Atmosphere
+from skydome.air.cross_sections import rayleigh_depth
 from skydome.own_air.grid import Grid, is_there, prepared, simulate, simulated
 
 zarr = pytest.importorskip("zarr")
@@ -52,7 +53,7 @@ def test_the_store_holds_what_the_sky_gives(whole):
     assert held["radiance"].shape == SMALL.shape == (3, 2, 2, 3, 3, 2)
     assert np.isfinite(held["radiance"][:]).all()
     np.testing.assert_array_equal(held["radiance"][1, 1], simulated(SMALL, (1, 1)))
-    air = Atmosphere.standard(float(sd.air.cross_sections.rayleigh_depth([550.0])[0]), albedo=1.0, aerosol_albedo=1.0)
+    air = Atmosphere.standard(float(rayleigh_depth([550.0])[0]), albedo=1.0, aerosol_albedo=1.0)
     sun = sd.direction(0.0, np.radians(60.0))
     light = sd.DiscreteOrdinates(sun, air).radiance(sd.direction(np.pi, np.radians(40.0)), [400.0, 600.0])
     np.testing.assert_allclose(held["radiance"][1, 1, 1, 1, 2], light / air.sun_at([400.0, 600.0]), rtol=1e-5)

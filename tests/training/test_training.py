@@ -25,7 +25,7 @@ from skydome.training.levenberg_marquardt import (
     solved_last_layer,
 )
 from skydome.training.losses import MixedLoss, SumLoss, TargetLoss
-from skydome.training.method import Recipe, Task
+from skydome.training.method import Task, TrainingRecipe
 from skydome.training.pruning import GrowAndPrune, grown, pruned, without
 from skydome.training.recipes import RECIPES
 from skydome.training.train import train, train_on
@@ -33,7 +33,7 @@ from skydome.training.validation import validated
 from skydome.training.variable_projection import VariableProjection, gradient, projected
 
 PREETHAM, SPECTRAL = TEACHERS["preetham"], TEACHERS["hosek-wilkie-spectral"]
-SMALL = Recipe(
+SMALL = TrainingRecipe(
     starts=3, start_steps=4, rounds=((2, 5),), steps=100, start_samples=500, most_samples=1500, method=Halving()
 )
 METHODS = {

@@ -15,16 +15,16 @@ from skydome.skies.neural.sky import NeuralSky
 from skydome.training.halving import Halving
 from skydome.training.levenberg_marquardt import Examples
 from skydome.training.losses import MixedLoss
-from skydome.training.method import Progress, Recipe, Task
+from skydome.training.method import Progress, Task, TrainingRecipe
 from skydome.training.train import train_on
 
-DAY_RECIPE = Recipe(starts=40, start_steps=10, rounds=((40, 25), (16, 35)), steps=0, method=Halving())
+DAY_RECIPE = TrainingRecipe(starts=40, start_steps=10, rounds=((40, 25), (16, 35)), steps=0, method=Halving())
 """The published network: many starts, none trained for long (a day's dozen suns are soon learned by heart)."""
 
-COMMITTEE_RECIPE = Recipe(starts=20, start_steps=10, rounds=((20, 25),), steps=0, method=Halving())
+COMMITTEE_RECIPE = TrainingRecipe(starts=20, start_steps=10, rounds=((20, 25),), steps=0, method=Halving())
 """Networks of the published form, trained still more briefly, whose mean is steadier than any of them."""
 
-MAP_RECIPE = Recipe(
+MAP_RECIPE = TrainingRecipe(
     output=ExponentialOutput(), loss=MixedLoss(0.05), starts=6, start_steps=10, rounds=(), steps=40, method=Halving()
 )
 """For maps from dawn to dusk: as large, but even-handed between bright and dark skies, and never 0."""
@@ -76,7 +76,7 @@ def network_inputs(names: tuple[str, ...], directions: np.ndarray, suns: np.ndar
 
 
 def train_day(
-    scans: Sequence[Scan], recipe: Recipe = DAY_RECIPE, seed: int = 0, progress: Progress | None = None
+    scans: Sequence[Scan], recipe: TrainingRecipe = DAY_RECIPE, seed: int = 0, progress: Progress | None = None
 ) -> Network:
     """The network of a day from scans of it; radiance is scaled to mean 1 over them.
 
@@ -86,7 +86,7 @@ def train_day(
     return unused_silenced(train_on(samples, recipe, scale, seed, (), progress))
 
 
-def train_committee(scans: Sequence[Scan], recipe: Recipe = COMMITTEE_RECIPE, seed: int = 0) -> Committee:
+def train_committee(scans: Sequence[Scan], recipe: TrainingRecipe = COMMITTEE_RECIPE, seed: int = 0) -> Committee:
     """Every network that the recipe's starts give, for the mean of them all; the recipe's method must be halving."""
     samples, scale = day_samples(scans, recipe)
     if not isinstance(recipe.method, Halving):
@@ -97,7 +97,7 @@ def train_committee(scans: Sequence[Scan], recipe: Recipe = COMMITTEE_RECIPE, se
     return Committee(tuple(networks), 2 * np.sin(nearest / 2))
 
 
-def day_samples(scans: Sequence[Scan], recipe: Recipe) -> tuple[Examples, float]:
+def day_samples(scans: Sequence[Scan], recipe: TrainingRecipe) -> tuple[Examples, float]:
     """Samples of all scans, light over its mean, and that mean; ValueError for suns that do not move."""
     if len({tuple(scan.sun.round(6)) for scan in scans}) < 2:
         raise ValueError(f"a day needs captures of at least two suns, got {len(scans)} of one")
@@ -115,7 +115,7 @@ def unused_silenced(network: Network) -> Network:
 
 
 def train_captures(
-    captures: Sequence[Capture], recipe: Recipe = MAP_RECIPE, seed: int = 0, progress: Progress | None = None
+    captures: Sequence[Capture], recipe: TrainingRecipe = MAP_RECIPE, seed: int = 0, progress: Progress | None = None
 ) -> Network:
     """The network of a day from captured maps."""
     return train_day([scan_of(capture, seed=seed + k) for k, capture in enumerate(captures)], recipe, seed, progress)
@@ -142,7 +142,7 @@ def errors_of(got: np.ndarray, wanted: np.ndarray, scale: float) -> CaptureError
 
 
 def leave_one_out(
-    scans: Sequence[Scan], fades: Sequence[Fade], recipe: Recipe = DAY_RECIPE, seed: int = 0
+    scans: Sequence[Scan], fades: Sequence[Fade], recipe: TrainingRecipe = DAY_RECIPE, seed: int = 0
 ) -> dict[str, list[CaptureErrors]]:
     """Errors at each scan of the network trained without it ("network") and of each way between its neighbours.
 

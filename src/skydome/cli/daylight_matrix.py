@@ -5,94 +5,180 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # halves the time that NumPy takes to start; nothing here needs more
 
 import sys
-from typing import Any, NamedTuple
+import warnings
+from typing import Any, Literal, NamedTuple
 
 USAGE = (
-    "usage: skydome-mtx [-m N] [-s | -d] [-5 degrees] [-c R G B] [-g R G B] [-r degrees] [-O0 | -O1] [-h] [-oa | -of] "
-    "tape.wea|site.epw > sky.mtx"
+    "usage: skydome-mtx [-v] [-h] [-A] [-d | -s | -n] [-u] [-D file [-M file]] [-5 degrees] [-r degrees] [-i minutes] "
+    "[-m N] [-g R G B] [-c R G B] [-oa | -of | -od] [-O0 | -O1] [tape.wea | site.epw] > sky.mtx"
 )
+BLACK = (0.0, 0.0, 0.0)
 
 
 class Asked(NamedTuple):
-    """The options of the command line, by gendaymtx's letters."""
+    """The options of the command line, by gendaymtx's letters; the tape comes from standard input without a path."""
 
-    path: str = ""
+    path: str = "-"
     division: int = 1
-    binary: bool = False
+    numbers: Literal["ascii", "float", "double"] = "ascii"
     header: bool = True
-    sky: bool = True
+    matrix: bool = True
+    mean: bool = False
     sun: bool = True
     disc: float = 0.0
-    colour: tuple[float, ...] | None = None
-    ground: tuple[float, ...] | None = None
+    colour: tuple[float, float, float] | None = (0.960, 1.004, 1.118)
+    ground: tuple[float, float, float] = (0.2, 0.2, 0.2)
     rotation: float = 0.0
+    minutes: float = 0.0
     solar: bool = False
+    sun_hours: bool = False
+    suns: str = ""
+    modifiers: str = ""
+    aloud: bool = False
 
 
 FLAGS: dict[str, dict[str, Any]] = {
-    "-s": {"sun": False, "sky": True},
-    "-d": {"sky": False, "sun": True},
-    "-oa": {"binary": False},
-    "-of": {"binary": True},
+    "-s": {"sun": False},
+    "-d": {"colour": None, "ground": BLACK},
+    "-n": {"matrix": False, "colour": None, "ground": BLACK, "division": 1},
+    "-A": {"mean": True},
+    "-u": {"sun_hours": True},
+    "-v": {"aloud": True},
+    "-oa": {"numbers": "ascii"},
+    "-of": {"numbers": "float"},
+    "-od": {"numbers": "double"},
     "-O0": {"solar": False},
     "-O1": {"solar": True},
     "-h": {"header": False},
 }
-VALUES = {"-m": ("division", 1), "-5": ("disc", 1), "-r": ("rotation", 1), "-rz": ("rotation", 1)}
-COLOURS = {"-c": ("colour", 3), "-g": ("ground", 3)}
+VALUES = {"-m": "division", "-5": "disc", "-r": "rotation", "-rz": "rotation", "-i": "minutes"}
+COLOURS, FILES = {"-c": "colour", "-g": "ground"}, {"-D": "suns", "-M": "modifiers"}
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Write the matrix to stdout; exit code 0, or 2 with one line on stderr for bad input."""
     try:
-        convert(parsed(sys.argv[1:] if arguments is None else arguments))
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            warnings.showwarning = lambda message, *_: say(f"warning: {message}")
+            convert(parsed(sys.argv[1:] if arguments is None else arguments))
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 2
     except (ValueError, OSError) as error:
-        print("skydome-mtx:", error, file=sys.stderr)
+        say(str(error))
         return 2
     return 0
 
 
+def say(words: str) -> None:
+    """A line on stderr."""
+    print("skydome-mtx:", words, file=sys.stderr)
+
+
 def parsed(arguments: list[str]) -> Asked:
-    """The options read; ValueError with the usage for what is none."""
-    words, asked = list(arguments), Asked()
+    """The options read, one after another; ValueError with the usage for what is none."""
+    words, asked, paths = list(arguments), Asked(), []
     while words:
         word = words.pop(0)
-        name, count = (VALUES | COLOURS).get(word, ("", 0))
-        if word in FLAGS:
-            asked = asked._replace(**FLAGS[word])
-        elif name and len(words) >= count:
-            numbers = tuple(float(words.pop(0)) for _ in range(count))
-            given: dict[str, Any] = {name: numbers if word in COLOURS else numbers[0]}
-            asked = asked._replace(**given)
-        elif not word.startswith("-") and not asked.path:
-            asked = asked._replace(path=word)
-        else:
+        count = 1 if word in VALUES or word in FILES else 3 if word in COLOURS else 0
+        given, words = words[:count], words[count:]
+        if len(given) < count:
             raise ValueError(USAGE)
-    if not asked.path or asked.division not in range(1, 13):
+        if word == "-" or not word.startswith("-"):
+            paths.append(word)
+        else:
+            asked = asked._replace(**meaning(word, given))
+    if len(paths) > 1 or asked.division not in range(1, 13) or not 0 <= asked.minutes <= 1440:
         raise ValueError(USAGE)
-    return asked._replace(division=int(asked.division))
+    return asked._replace(division=int(asked.division), path=(paths or ["-"])[0])
+
+
+def meaning(word: str, given: list[str]) -> dict[str, Any]:
+    """What an option with its words asks for; ValueError with the usage for none."""
+    if word in FLAGS:
+        return FLAGS[word]
+    if word in FILES:
+        return {FILES[word]: given[0]} | (FLAGS["-n"] if word == "-D" and given[0] == "-" else {})
+    if not given:
+        raise ValueError(USAGE)
+    numbers = tuple(float(number) for number in given)
+    return {COLOURS[word]: numbers} if word in COLOURS else {VALUES[word]: numbers[0]}
 
 
 def convert(asked: Asked) -> None:
-    """Read the tape, write the matrix."""
+    """Read the tape, write the suns and the matrix."""
     from skydome.years.gendaymtx import matrix as gendaymtx
-    from skydome.years.gendaymtx import text as matrix_text
     from skydome.years.gendaymtx.sun import Sun
 
-    if asked.path.lower().endswith(".epw"):
-        from skydome.years.weather.reading import read_weather
-
-        tape = gendaymtx.tape_from(read_weather(asked.path))
-    else:
-        tape = gendaymtx.tape_of(asked.path)
-    given: dict[str, Any] = {name: getattr(asked, name) for name in ("colour", "ground") if getattr(asked, name)}
-    if not asked.sky:
-        given["colour"] = None
+    if asked.path == "-" and sys.stdin.isatty():
+        raise ValueError(USAGE)
     sun = (Sun.disc(asked.disc) if asked.disc else Sun()) if asked.sun else None
-    choices = gendaymtx.Choices(**given, sun=sun, solar=asked.solar, rotation=asked.rotation)
-    light = gendaymtx.coloured(tape, asked.division, choices)
-    shape, place = (144 * asked.division**2 + 2, tape.hour.size), (tape.latitude, tape.longitude)
-    matrix_text.write(sys.stdout.buffer, light, shape, place, asked.binary, "skydome-mtx" if asked.header else "")
+    colour = asked.colour if asked.colour and max(asked.colour) > 0 else None
+    choices: Any = gendaymtx.Choices(colour, asked.ground, sun, asked.solar, asked.rotation, asked.minutes)
+    tape = tape_at(asked)
+    if asked.aloud:
+        say(f"{tape.hour.size} time steps at {tape.latitude:.1f} degrees north, {-tape.longitude:.1f} west")
+    if asked.suns:
+        write_suns(tape, choices, asked)
+    if asked.matrix:
+        write_matrix(tape, choices, asked)
+
+
+def tape_at(asked: Asked) -> Any:
+    """The tape of a file of any kind, or of standard input; missing hours are counted on stderr."""
+    from skydome.years.gendaymtx.hours import in_the_sky, sun_of, tape_from, tape_of
+    from skydome.years.weather.tape import is_tape
+    from skydome.years.weather.text import text_of
+
+    text = text_of(asked.path)
+    if is_tape(text):
+        tape = tape_of(text)
+    else:
+        from skydome.years.weather.closure import aligned
+        from skydome.years.weather.reading import read_text
+
+        tape = tape_from(aligned(read_text(text)))
+    lacking = tape.missing.nonzero()[0]
+    if lacking.size:
+        first = lacking[0]
+        say(
+            f"{lacking.size} of {tape.hour.size} hours have no irradiance and are black; the first is month "
+            f"{tape.month[first]:g}, day {tape.day[first]:g}, {tape.hour[first]:g} h"
+        )
+    return tape.rows(in_the_sky(sun_of(tape, asked.minutes)[0])) if asked.sun_hours else tape
+
+
+def write_suns(tape: Any, choices: Any, asked: Asked) -> None:
+    """Write the light sources of `-D`, and the names of their modifiers."""
+    from pathlib import Path
+
+    from skydome.ground.writing import appearing
+    from skydome.years.gendaymtx.suns import sources
+
+    pairs = list(sources(tape, choices))
+    for path, texts in ((asked.suns, [pair[0] for pair in pairs]), (asked.modifiers, [pair[1] for pair in pairs])):
+        if path == "-":
+            sys.stdout.write("".join(texts))
+        elif path:
+            with appearing(Path(path)) as beside:
+                beside.write_text("".join(texts), encoding="ascii")
+
+
+def write_matrix(tape: Any, choices: Any, asked: Asked) -> None:
+    """Write the matrix, or the mean of its columns."""
+    from skydome.years.gendaymtx import matrix as gendaymtx
+    from skydome.years.gendaymtx import text as matrix_text
+
+    if not tape.hour.size:
+        raise ValueError(f"{asked.path}: no hour is left to make a sky of")
+    light: Any = gendaymtx.coloured(tape, asked.division, choices)
+    count = tape.hour.size
+    if asked.mean:
+        light, count = (part.mean(axis=1, dtype="float64", keepdims=True) for part in light), 1
+    shape, place = (144 * asked.division**2 + 2, count), (tape.latitude, tape.longitude)
+    maker = "skydome-mtx" if asked.header else ""
+    matrix_text.write(sys.stdout.buffer, light, shape, place, asked.numbers, maker)
 
 
 if __name__ == "__main__":

@@ -4,5 +4,6 @@
 - colour              Colour: CIE xyY, XYZ and linear or encoded RGB of the spaces in which sky images are kept
 - colour_temperature  Colour temperature: Planck's law, the nearest black body to a colour, and the distance to it
 - irradiance          Measured irradiances of sun and sky: their limits and the reasons
+- decomposition       Global irradiance split into diffuse and direct where it is all that was measured
 - daylight            Daylight: the spectrum of the CIE D series that has a given colour and luminance
 """

@@ -17,7 +17,7 @@ from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST, UsualLevel
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
 from skydome.skies.neural.files import load_network
-from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky, read_network
+from skydome.skies.neural.sky import NeuralForm, NeuralSky, NeuralSpectralSky, read_network
 from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.perez import Perez
 from skydome.skies.perez_all_weather import PerezAllWeather
@@ -65,6 +65,11 @@ class Model:
     def has_sun(self) -> bool:
         """Whether the sky depends on where the sun stands."""
         return issubclass(self.kind, SunlitSky)
+
+    @property
+    def has_shader(self) -> bool:
+        """Whether `skydome shader` can write it: the nine numbers, or a network."""
+        return issubclass(self.kind, (FormulaSky, NeuralForm))
 
     @property
     def level_name(self) -> str | None:

@@ -7,6 +7,9 @@
 - refraction         The air lifts the sun: refraction by the formula of NREL's Solar Position Algorithm
 - position           Where the sun stands over a place: from the earth's centre to the place, and lifted by the air
 - day                Day and night: the one place where it is decided which of them it is
-- events             The events of a day: sunrise, noon, sunset and the three twilights, as roots of SPA's elevation
+- track              The sun over some days for any place, interpolated from one look a day
+- day_events         The events of one day as roots of SPA's elevation
+- many_days          The events of many days at once, found on the interpolated course, then on SPA's elevation
+- events             The events of a day or of many: sunrise, noon, sunset and the three twilights
 - preetham_position  Where the sun stands by Preetham 1999, appendix A.6: short, and good to about a degree
 """

@@ -11,7 +11,7 @@ from skydome.skies.catalogue import CATALOGUE, Model
 from skydome.skies.neural.network import conditions, features
 from skydome.training.levenberg_marquardt import Examples
 
-LEAST_ELEVATION = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
+JUST_UP = 1e-6  # the models call a sun at or below 0 night; the paper's zenith of 90 degrees is meant by day
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def lesson(
     teacher: Teacher, elevation: np.ndarray, turbidity: np.ndarray, albedo: np.ndarray, directions: np.ndarray
 ) -> Lesson:
     """A lesson at conditions (C,), with directions (C, D, 3); the sun stands at azimuth 0."""
-    sun = direction(np.zeros_like(elevation), np.maximum(elevation, LEAST_ELEVATION))[:, None, :]
+    sun = direction(np.zeros_like(elevation), np.maximum(elevation, JUST_UP))[:, None, :]
     turbidity, albedo = turbidity[:, None], albedo[:, None]
     return Lesson(sun, turbidity, albedo, directions, teacher.light(directions, sun, turbidity, albedo))
 
@@ -111,7 +111,7 @@ def even_sequence(teacher: Teacher, seed: int, power: int = 14) -> Lesson:
     Suns are even in zenith angle, with 1/14 of them in the zenith and 1/7 on the horizon. Turbidity is even but for its
     first and last half, where it thins out. A fifth of the views are even in zenith angle, the others in solid angle.
     """
-    qmc = required("scipy.stats", "fit", "Sobol's sequence")
+    qmc = required("scipy.stats", "fit", "Sobol's sequence").qmc
     first, sun, azimuth, height, manner, second = qmc.Sobol(6, seed=seed).random_base2(power).T
     low, high = teacher.turbidities
     turbidity = low + (high - low - 0.5) * first + 0.5 * second

@@ -19,7 +19,7 @@ Progress = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
-class Recipe:
+class TrainingRecipe:
     """What is trained and how.
 
     `starts` random networks take `start_steps` steps each on `start_samples` samples; each round (count, steps) keeps
@@ -60,7 +60,7 @@ class Task:
     """A training to be done: the samples, the recipe, the seed, who is told and where it is written down."""
 
     samples: Examples
-    recipe: Recipe
+    recipe: TrainingRecipe
     seed: int = 0
     progress: Progress | None = None
     journal: Journal | None = None

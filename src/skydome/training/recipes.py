@@ -7,7 +7,7 @@ from skydome.training.backpropagation import Backpropagation
 from skydome.training.halving import Halving
 from skydome.training.lessons import even_sequence, published_lesson, rich_lesson, spectral_lesson
 from skydome.training.losses import MixedLoss, SumLoss
-from skydome.training.method import Recipe
+from skydome.training.method import TrainingRecipe
 from skydome.training.pruning import GrowAndPrune
 from skydome.training.variable_projection import VariableProjection
 
@@ -20,21 +20,21 @@ SPECTRAL = (
 )  # fmt: skip
 
 
-BACKPROPAGATION_RECIPE = Recipe(lesson=published_lesson, method=Backpropagation())
-AS_PUBLISHED_DATA = Recipe(lesson=published_lesson, method=Halving())
-PUBLISHED_RECIPE = Recipe(
+BACKPROPAGATION_RECIPE = TrainingRecipe(lesson=published_lesson, method=Backpropagation())
+AS_PUBLISHED_DATA = TrainingRecipe(lesson=published_lesson, method=Halving())
+PUBLISHED_RECIPE = TrainingRecipe(
     starts=24, start_steps=25, rounds=((8, 4), (3, 6), (1, 14)), steps=100, start_samples=2048, most_samples=16_384,
     lesson=even_sequence, method=GrowAndPrune(), sequence=True, mirrored=("view_y",), bias_spread=2.0,
 )  # fmt: skip
-COMPACT_RECIPE = Recipe(
+COMPACT_RECIPE = TrainingRecipe(
     COMPACT, (24,), ExponentialOutput(), MixedLoss(0.25), starts=16, rounds=((6, 30), (2, 80)), steps=250,
     most_samples=24_000, dtype=np.float16, lesson=rich_lesson, method=Halving(),
 )  # fmt: skip
-DEEP_RECIPE = Recipe(
+DEEP_RECIPE = TrainingRecipe(
     COMPACT, (16, 16), ExponentialOutput(), MixedLoss(), starts=12, rounds=((5, 30), (2, 60)), steps=200,
     start_samples=3000, most_samples=24_000, lesson=rich_lesson, method=Halving(),
 )  # fmt: skip
-SPECTRAL_RECIPE = Recipe(
+SPECTRAL_RECIPE = TrainingRecipe(
     SPECTRAL, (32, 32), ExponentialOutput(), SumLoss(), starts=1, steps=120, most_samples=60_000,
     lesson=spectral_lesson, outputs=11, method=VariableProjection(),
 )  # fmt: skip
@@ -48,7 +48,7 @@ RECIPES = {
 }
 
 
-def recipe_named(name: str) -> Recipe:
+def recipe_named(name: str) -> TrainingRecipe:
     """The recipe by name; ValueError with the names there are."""
     if name not in RECIPES:
         raise ValueError(f"recipe must be one of {', '.join(RECIPES)}, got {name!r}")

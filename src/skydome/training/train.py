@@ -6,7 +6,7 @@ from skydome.skies.neural.network import Network
 from skydome.training.journal import Journal
 from skydome.training.lessons import Teacher, published_lesson
 from skydome.training.levenberg_marquardt import Examples, Layers, forward, minimised
-from skydome.training.method import Progress, Recipe, Task
+from skydome.training.method import Progress, Task, TrainingRecipe
 from skydome.training.recipes import (
     COMPACT,
     COMPACT_RECIPE,
@@ -24,7 +24,7 @@ __all__ = [
     "RECIPES",
     "SPECTRAL_RECIPE",
     "Examples",
-    "Recipe",
+    "TrainingRecipe",
     "train",
     "train_on",
 ]  # fmt: skip
@@ -32,7 +32,7 @@ __all__ = [
 
 def train(
     teacher: Teacher,
-    recipe: Recipe = PUBLISHED_RECIPE,
+    recipe: TrainingRecipe = PUBLISHED_RECIPE,
     seed: int = 0,
     progress: Progress | None = None,
     journal: Journal | None = None,
@@ -53,7 +53,7 @@ def train(
 
 def train_on(
     samples: Examples,
-    recipe: Recipe,
+    recipe: TrainingRecipe,
     scale: float,
     seed: int = 0,
     bands: tuple[float, ...] = (),
@@ -65,7 +65,9 @@ def train_on(
     return finished(layers, samples, recipe, scale, bands)
 
 
-def finished(layers: Layers, samples: Examples, recipe: Recipe, scale: float, bands: tuple[float, ...]) -> Network:
+def finished(
+    layers: Layers, samples: Examples, recipe: TrainingRecipe, scale: float, bands: tuple[float, ...]
+) -> Network:
     """The network in its stored precision; the last layer is fitted again after the others were rounded."""
     rounded = [(weights.astype(recipe.dtype).astype(float), biases.astype(recipe.dtype).astype(float))
                for weights, biases in layers[:-1]]  # fmt: skip
@@ -75,7 +77,7 @@ def finished(layers: Layers, samples: Examples, recipe: Recipe, scale: float, ba
 
 
 def refitted_last(
-    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: Examples, recipe: Recipe
+    hidden: Layers, last: tuple[np.ndarray, np.ndarray], samples: Examples, recipe: TrainingRecipe
 ) -> tuple[np.ndarray, np.ndarray]:
     """The last layer after a few steps of its own, the hidden ones being fixed."""
     signals, _, _ = forward([*hidden, last], samples.inputs)

@@ -8,6 +8,7 @@ import skydome as sd
 from skydome.dome.patch_means import patch_means
 from skydome.dome.patches import patches
 from skydome.light.spectrum import xyz_weights
+from skydome.years.gendaymtx import hours
 from skydome.years.gendaymtx import matrix as gendaymtx
 from skydome.years.skies.action_spectra import melanopic_edi, melanopic_sensitivity, photosynthetic_photons
 from skydome.years.skies.dome_means import PerezSkies, by_numpy, dome_means, samples_of
@@ -69,7 +70,7 @@ def test_the_kernel_is_the_formula(greensboro, centres):
 
 
 def test_the_kernel_at_centres_is_gendaymtx(files):
-    tape = gendaymtx.tape_of(files["wea"])
+    tape = hours.tape_of(files["wea"])
     skies, cut = gendaymtx.skies_of(tape), patches("reinhart:2")
     suns = sd.direction(skies.azimuth, np.pi / 2 - skies.zenith)
     weights = np.sin(cut.elevations) * cut.solid_angles
@@ -80,7 +81,7 @@ def test_the_kernel_at_centres_is_gendaymtx(files):
 
 def test_gendaymtx_by_name(files):
     data = year(files["epw"], compat="gendaymtx", patches="reinhart:2")
-    matrix = gendaymtx.matrix(gendaymtx.tape_from(read_weather(files["epw"])), 2)
+    matrix = gendaymtx.matrix(hours.tape_from(read_weather(files["epw"])), 2)
     assert np.allclose(data.luminance.values.T, matrix[1:] * 179, rtol=1e-6)
     with pytest.raises(ValueError, match="needs Reinhart's patches"):
         year(files["epw"], compat="gendaymtx", patches="equal-area:1")
@@ -100,7 +101,7 @@ def test_choices_differ_and_keep_the_level(greensboro, plain):
 def test_smooth_has_no_jump_at_the_edge_of_a_bin(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.tmy import from_frame
+    from skydome.years.weather.frame import from_frame
 
     times = pd.date_range("2026-06-21T17:00", periods=1, freq="h", tz="UTC")
 
@@ -137,7 +138,7 @@ def test_nothing_is_black_or_missing_in_silence(greensboro):
 def test_a_leap_day_and_a_polar_night_pass(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.tmy import from_frame
+    from skydome.years.weather.frame import from_frame
 
     times = pd.date_range("2028-02-28", periods=72, freq="h", tz="UTC")
     frame = pd.DataFrame({"dni": 100.0, "dhi": 50.0}, index=times)

@@ -27,6 +27,7 @@ def shader(
     from skydome.ground.writing import appearing
 
     language(lang)  # refused before the sky is made
+    require_shader(options.model)
     require_output(output, "the shader's file")
     scene = scene_of(options)
     source = sd.shader(scene.sky, lang, scale=scale, bands=bands)
@@ -38,3 +39,12 @@ def shader(
             Path(path).write_text(source)
     facts = {"language": lang, "model": scene.sky.parameters(), "file": None if output is None else str(output)}
     show(facts | {"source": source}, {"language": lang, "file": str(output)}, as_json)
+
+
+def require_shader(name: str) -> None:
+    """ValueError for a model that no shader can be written of, before its sky is made."""
+    from skydome.skies.catalogue import CATALOGUE, model_named
+
+    if not model_named(name).has_shader:
+        known = ", ".join(model.name for model in CATALOGUE if model.has_shader and not model.name[-1].isdigit())
+        raise ValueError(f"shaders know the nine-number formula and networks: {known}, cie-1 ... cie-15; got {name}")

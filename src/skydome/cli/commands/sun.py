@@ -1,6 +1,5 @@
 """`skydome sun`: where the sun stands and when it rises, sets and leaves the sky dark."""
 
-from dataclasses import asdict
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
@@ -31,7 +30,7 @@ def sun_facts(place: Any, time: datetime) -> dict[str, Any]:
 
     true, seen = sd.sun_direction(place, time), sd.sun_direction(place, time, refraction=True)
     short = sd.preetham_sun_direction(place, time)
-    events = asdict(sd.sun_events(place, time.date(), zone=time.tzinfo))
+    events = sd.sun_events(place, time.date(), zone=time.tzinfo)
     return {
         "place": dict(vars(place)),
         "time": time.isoformat(),
@@ -41,8 +40,9 @@ def sun_facts(place: Any, time: datetime) -> dict[str, Any]:
         "preetham": angles(short) | {"difference_deg": float(angle_between(true, short)) / sd.deg},
         "distance_au": float(sd.earth_sun_distance(time)),
         "angular_radius_deg": float(sd.solar_radius(time)) / sd.deg,
-        "noon_elevation_deg": events.pop("noon_elevation") / sd.deg,
-        "events": {name: None if instant is None else local(instant, time) for name, instant in events.items()},
+        "noon_elevation_deg": events.noon_elevation / sd.deg,
+        "daylight": events.daylight,
+        "events": {name: seconds(instant) for name, instant in events.local.items()},
     }
 
 
@@ -52,10 +52,9 @@ def angles(direction: "ArrayLike") -> dict[str, float]:
     return {"azimuth_deg": moment.azimuth, "elevation_deg": moment.elevation}
 
 
-def local(instant: Any, time: datetime) -> str:
-    """A datetime64 as ISO text in the zone of `time`, to the second."""
-    utc: datetime = instant.astype("datetime64[s]").item().replace(tzinfo=UTC)
-    return utc.astimezone(time.tzinfo).isoformat()
+def seconds(time: datetime | None) -> str | None:
+    """A time as ISO text, to the second."""
+    return None if time is None else time.replace(microsecond=0).isoformat()
 
 
 def sun_rows(facts: dict[str, Any], time: datetime) -> dict[str, str]:
@@ -73,6 +72,7 @@ def sun_rows(facts: dict[str, Any], time: datetime) -> dict[str, str]:
         "refracted": "elevation {elevation_deg:.4f}°".format(**facts["refracted"]),
         "sun (Preetham A.6)": position(**facts["preetham"])
         + ", {difference_deg:.2f}° away".format(**facts["preetham"]),
+        "daylight": facts["daylight"],
         "sunrise to sunset": both("sunrise", "sunset"),
         "noon": f"{clock(events['noon'], time)}, elevation {facts['noon_elevation_deg']:.2f}°",
         "civil twilight": both("civil_dawn", "civil_dusk"),

@@ -13,7 +13,7 @@ from skydome.cli.printing import show_facts
 
 if TYPE_CHECKING:
     from skydome.training.lessons import Teacher
-    from skydome.training.method import Recipe
+    from skydome.training.method import TrainingRecipe
 
 
 def train(
@@ -46,7 +46,9 @@ def train(
     show_facts(facts, as_json)
 
 
-def trained(path: Path, teacher: "Teacher", recipe: "Recipe", what: dict[str, Any], resume: bool) -> dict[str, Any]:
+def trained(
+    path: Path, teacher: "Teacher", recipe: "TrainingRecipe", what: dict[str, Any], resume: bool
+) -> dict[str, Any]:
     """Train, write, and tell errors and processor seconds."""
     import skydome
     from skydome.skies.neural.files import save_network

@@ -10,13 +10,14 @@ from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
+from skydome.sun.place import Place
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
 
 
 def year(
-    weather: Annotated[Path, Argument(help="site.epw, site.wea, a TMY3 .csv or .tm2; or sites.csv (name,file).")],
+    weather: Annotated[Path, Argument(help="EPW, WEA, TMY3, TM2, NSRDB, SAM or PVGIS file; or sites.csv (name,file).")],
     output: Annotated[
         Path | None, Option("--output", "-o", help="year.zarr, year.nc or year.mtx (Radiance, floats).")
     ] = None,
@@ -34,6 +35,17 @@ def year(
     sun_in_patch: Annotated[bool, Option("--sun-in-patch", help="Put the sun's light into .mtx too.")] = False,
     suns: Annotated[Path | None, Option(help="Write the suns as Radiance sources: suns.rad.")] = None,
     plot: Annotated[Path | None, Option(help="Heat map and monthly domes: year.png, .svg or .pdf.")] = None,
+    label: Annotated[
+        str | None,
+        Option(metavar="end|start|middle", help="Where rows' times stand, if not where the format has them."),
+    ] = None,
+    shift: Annotated[
+        str | None, Option(metavar="auto|MINUTES", help="Move the irradiances later, so that they fit the sun.")
+    ] = None,
+    place: Annotated[
+        str | None, Option(metavar="LAT,LON[,ALT]", help="For a table that tells of no site; else in its stead.")
+    ] = None,
+    utc_offset: Annotated[float, Option(metavar="HOURS", help="Hours east of UTC, for such a table.")] = 0.0,
     weather_folder: Annotated[Path | None, Option(help="Where the files of sites.csv lie.")] = None,
     scheduler: Annotated[str | None, Option(metavar="ADDRESS", help="A Dask scheduler, for sites.csv.")] = None,
     workers: Annotated[int, Option(help="Worker processes here, where no scheduler is given.")] = 2,
@@ -42,6 +54,8 @@ def year(
     """Make the skies of a year from a weather file, on patches of the dome."""
     choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
+    reading = {"label": label, "shift": minutes(shift), "place": None if place is None else Place.parse(place)}
+    reading["utc_offset"] = utc_offset
     require_outputs(output, suns, plot)
     check_extras(output, plot)
     with warnings.catch_warnings(record=True) as caught:
@@ -51,7 +65,7 @@ def year(
             required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
         else:
-            facts = single(weather, choices, output, ascii_text, sun_in_patch, suns, plot)
+            facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot)
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
     facts["notes"] = facts.get("notes", []) + notes
     show_facts(facts, as_json)
@@ -85,6 +99,20 @@ def steps(text: str) -> list[float]:
     return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
 
 
+def minutes(text: str | None) -> float | str | None:
+    """The shift that --shift asks for; ValueError for what is neither auto nor minutes.
+
+    >>> minutes("auto"), minutes("-30"), minutes(None)
+    ('auto', -30.0, None)
+    """
+    if text is None or text == "auto":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"--shift must be auto or minutes such as 30, got {text!r}") from None
+
+
 def is_sites(path: Path) -> bool:
     """True for a table of sites, False for a TMY3 file."""
     with path.open(encoding="utf-8", errors="replace") as file:
@@ -94,6 +122,7 @@ def is_sites(path: Path) -> bool:
 
 def single(
     path: Path,
+    reading: dict[str, Any],
     choices: dict[str, Any],
     output: Path | None,
     ascii_text: bool,
@@ -109,7 +138,7 @@ def single(
     from skydome.years.weather.reading import read_weather
 
     with progress("a year of skies"):
-        weather = read_weather(path)
+        weather = read_weather(path, **reading)
         if output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx":
             data = write_year(weather, output, **choices)
         else:
@@ -126,6 +155,9 @@ def single(
 
             save_figure(year_figure(data), plot)
     facts = {"site": data.attrs["title"], "place": place_facts(data), "hours": data.sizes["time"]}
+    facts |= {
+        name: data.attrs[name] for name in ("shift", "closure", "closure_shift", "decomposition") if name in data.attrs
+    }
     facts |= {"patches": data.sizes["patch"], "status": counts(data["status"].values)}
     diffuse = data["diffuse_horizontal_illuminance"]
     facts["mean_diffuse_horizontal_lx"] = round(float(diffuse.where(data["lit_share"] > 0).mean()), 1)

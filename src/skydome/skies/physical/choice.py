@@ -9,7 +9,7 @@ from skydome.ground.units import deg
 from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 
-LEAST_ELEVATION = 5 * deg
+TRACED_BELOW = 5 * deg
 """Elevation of the sun, rad, below which the path tracer takes over: what is scattered twice knows only flat layers."""
 
 
@@ -29,7 +29,7 @@ def physical_sky(
     sun = checked_directions(np.asarray(sun, dtype=np.float64), "sun")
     air = Atmosphere.standard() if atmosphere is None else atmosphere
     heights = np.asarray(elevation(sun))
-    if (heights >= LEAST_ELEVATION - 1e-12).all():
+    if (heights >= TRACED_BELOW - 1e-12).all():
         return DiscreteOrdinates(sun, air)
     if sun.ndim > 1:
         raise ValueError(

@@ -4,7 +4,7 @@
 quick from start to end: NumPy alone. Tested against gendaymtx itself. Its rules, where they differ from the paper:
 
 paper | gendaymtx
-true sun (SPA) | declination 0.4093 sin(2 pi (J - 81) / 365), printed hour, day of the year without leap days
+true sun (SPA) | declination 0.4093 sin(2 pi (J - 81) / 365), printed hour, J with the leap days that the tape has
 sun anywhere | zenith angle in the formula from 3 to 90 degrees; the sun lights patches from below the horizon too
 clearness, brightness as they come | held in 1-11.9 and 0.01-0.6; brightness at least 0.2 for clearness 1.065-2.8
 mean over each patch | value at its centre, angles rounded to float32
@@ -15,12 +15,12 @@ the sun apart | its light over the four nearest patches (`gendaymtx_sun`), or in
 """
 
 from collections.abc import Iterator
-from os import PathLike
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from skydome.years.gendaymtx.conditions import category, conditions, efficacies, irradiances_of, table
+from skydome.years.gendaymtx.hours import Tape, sun_of
 from skydome.years.gendaymtx.rows import BLOCK, Skies, horizontal_sums, patch_rows
 from skydome.years.gendaymtx.sun import Sun, sun_light
 
@@ -29,49 +29,17 @@ WHITE_EFFICACY = 179.0
 
 SKY_COLOUR = (0.960, 1.004, 1.118)
 GROUND_REFLECTANCE = 0.2
-DAYS_BEFORE = np.array([0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334])
 
 
-class Tape(NamedTuple):
-    """What gendaymtx reads of a year: date, standard time, direct normal and diffuse irradiance, dew point, each (T,).
+def skies_of(tape: Tape, solar: bool = False, minutes: float = 0.0) -> Skies:
+    """The skies of the lit hours; with `solar` their light is all radiation, 179 lm for every watt (`-O1`).
 
-    Latitude and longitude in degrees, north and east positive; hours east of UTC. `photometric`: illuminances, lx, in
-    the irradiances' place.
+    `minutes` are those of an interval (`-i`), for the sun of hours in which it rises or sets.
     """
-
-    month: np.ndarray
-    day: np.ndarray
-    hour: np.ndarray
-    direct: np.ndarray
-    diffuse: np.ndarray
-    dew_point: Any
-    latitude: float
-    longitude: float
-    utc_offset: float
-    photometric: bool = False
-
-
-def sun_of(tape: Tape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Altitude and azimuth (clockwise from north), radians, and the day of the year, each (T,)."""
-    day = DAYS_BEFORE[tape.month.astype(np.int64) - 1] + tape.day
-    latitude = np.radians(tape.latitude)
-    correction = 0.170 * np.sin(4 * np.pi / 373 * (day - 80)) - 0.129 * np.sin(2 * np.pi / 355 * (day - 8))
-    hour = tape.hour + correction + 12 / 180 * (tape.longitude - 15 * tape.utc_offset)
-    declination = 0.4093 * np.sin(2 * np.pi / 365 * (day - 81))
-    turn = hour * (np.pi / 12)
-    level, rise = np.cos(declination), np.sin(declination)
-    sine = np.sin(latitude) * rise - np.cos(latitude) * level * np.cos(turn)
-    south = -np.cos(latitude) * rise - np.sin(latitude) * level * np.cos(turn)
-    return np.arcsin(np.clip(sine, -1, 1)), np.pi - np.arctan2(level * np.sin(turn), south), day
-
-
-def skies_of(tape: Tape, solar: bool = False) -> Skies:
-    """The skies of the lit hours; with `solar` their light is all radiation, 179 lm for every watt (`-O1`)."""
     lit = np.flatnonzero(tape.direct + tape.diffuse > 1e-4)
-    dew_point = np.broadcast_to(tape.dew_point, tape.hour.shape)[lit]
-    columns = {name: getattr(tape, name)[lit] for name in ("month", "day", "hour", "direct", "diffuse")}
-    tape = tape._replace(dew_point=dew_point, **columns)
-    altitude, azimuth, day = sun_of(tape)
+    tape = tape.rows(lit)
+    altitude, azimuth = sun_of(tape, minutes)
+    day, dew_point = tape.day_of_year, tape.dew_point
     direct, diffuse = (value.astype(np.float32).astype(np.float64) for value in (tape.direct, tape.diffuse))
     zenith = np.clip(np.pi / 2 - altitude, np.radians(3), np.pi / 2)
     given = (direct, diffuse)
@@ -109,7 +77,7 @@ def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
 
     The array is used again for the next patches.
     """
-    yield (skies.on_ground / (np.pi * WHITE_EFFICACY))[None].astype(np.float32)
+    yield lit_ground(skies)
     total = horizontal_sums(skies, division)
     black = np.flatnonzero(total == 0)
     uniform = (skies.diffuse[black] / (WHITE_EFFICACY * np.pi)).astype(np.float32)
@@ -118,6 +86,12 @@ def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
         if black.size:
             light[:, black] = uniform
         yield light
+
+
+def lit_ground(skies: Skies) -> np.ndarray:
+    """Radiance (1, K) of a ground that reflects all, W m-2 sr-1 of white."""
+    ground: np.ndarray = (skies.on_ground / (np.pi * WHITE_EFFICACY))[None].astype(np.float32)
+    return ground
 
 
 def matrix(tape: Tape, division: int = 1, sun: Sun | None = None) -> np.ndarray:
@@ -145,7 +119,7 @@ Colour = tuple[float, float, float]
 class Choices(NamedTuple):
     """What gendaymtx's options choose: colours of sky (None: no sky, `-d`) and ground, the sun, all radiation (`-O1`).
 
-    `rotation`, degrees, turns the sky anticlockwise as seen from above.
+    `rotation`, degrees, turns the sky anticlockwise as seen from above; `minutes` are those of an interval (`-i`).
     """
 
     colour: Colour | None = SKY_COLOUR
@@ -153,11 +127,12 @@ class Choices(NamedTuple):
     sun: Sun | None = Sun()
     solar: bool = False
     rotation: float = 0.0
+    minutes: float = 0.0
 
 
 def coloured(tape: Tape, division: int, choices: Choices) -> Iterator[np.ndarray]:
     """The same in Radiance's R, G, B, some patches at a time: (J, T, 3), float32, used again for the next."""
-    skies = skies_of(tape, choices.solar)
+    skies = skies_of(tape, choices.solar, choices.minutes)
     skies = skies._replace(azimuth=skies.azimuth - np.radians(choices.rotation))
     beams = None if choices.sun is None else sun_light(skies, division, choices.sun)
     count, hours = tape.hour.size, skies.lit.size
@@ -167,7 +142,7 @@ def coloured(tape: Tape, division: int, choices: Choices) -> Iterator[np.ndarray
     wide = np.empty((len(narrow), count, 3), np.float32)
     whole, pixels = wide.view("V12")[..., 0], narrow.view("V12")[..., 0]
     first = -1
-    for light in radiances(skies, division) if choices.colour else dark(hours, division, len(narrow)):
+    for light in radiances(skies, division) if choices.colour else ground_alone(skies, division, len(narrow)):
         colour = choices.ground if first < 0 else choices.colour or (0.0, 0.0, 0.0)
         part = narrow[: len(light)]
         for channel in range(3):
@@ -180,43 +155,9 @@ def coloured(tape: Tape, division: int, choices: Choices) -> Iterator[np.ndarray
         yield wide[: len(light)]
 
 
-def dark(hours: int, division: int, at_once: int) -> Iterator[np.ndarray]:
-    """No light (J, K): of the ground, then of the patches, some at a time."""
+def ground_alone(skies: Skies, division: int, at_once: int) -> Iterator[np.ndarray]:
+    """The ground's radiance (1, K), then none of the patches (J, K), some at a time."""
     count = 144 * division**2 + 1
-    yield np.zeros((1, hours), np.float32)
+    yield lit_ground(skies)
     for k in range(0, count, at_once):
-        yield np.zeros((min(at_once, count - k), hours), np.float32)
-
-
-def tape_of(path: str | PathLike[str]) -> Tape:
-    """The tape in a WEA file, as gendaymtx reads it; units 1 and 2 are irradiances, 3 illuminances."""
-    from skydome.years.weather.tape import DEW_POINT, FIRST_LINE, HORIZONTAL_DIRECT, PHOTOMETRIC, read_tape
-
-    head, rows = read_tape(path)
-    month, day, hour, direct, diffuse = np.ascontiguousarray(rows.T)
-    wrong = np.flatnonzero((month < 1) | (month > 12) | (day < 1) | (day > 31))
-    if wrong.size:
-        k = wrong[0]
-        raise ValueError(f"{path}, line {FIRST_LINE + k}: no such date as month {month[k]:g}, day {day[k]:g}")
-    place = (head["latitude"], -head["longitude"], -head["time_zone"] / 15)
-    units = head["weather_data_file_units"]
-    tape = Tape(month, day, hour, direct, diffuse, DEW_POINT, *place, photometric=units == PHOTOMETRIC)
-    if units != HORIZONTAL_DIRECT:
-        return tape
-    sine = np.sin(sun_of(tape)[0])
-    return tape._replace(direct=np.where(sine > 0, direct / np.maximum(sine, 1e-9), direct))
-
-
-def tape_from(weather: Any) -> Tape:
-    """The tape that gendaymtx makes of a `Weather`: of an EPW with the mean dew point of three hours, else its own."""
-    from skydome.years.weather.calendar import month_day_hour
-
-    photometric = weather.diffuse_illuminance is not None
-    light = (weather.direct_illuminance, weather.diffuse_illuminance) if photometric else weather.irradiances
-    dew_point = np.where(np.isnan(weather.dew_point), 11.0, weather.dew_point)
-    if weather.label == "end":
-        dew_point = (dew_point + np.roll(dew_point, 1) + np.roll(dew_point, 2)) / 3
-    place = weather.place
-    direct, diffuse = light
-    where = (place.latitude, place.longitude, weather.utc_offset)
-    return Tape(*month_day_hour(weather.local), direct, diffuse, dew_point, *where, photometric)
+        yield np.zeros((min(at_once, count - k), skies.lit.size), np.float32)

@@ -3,16 +3,21 @@
 import sys
 from collections.abc import Iterable, Iterator
 from os import PathLike
-from typing import BinaryIO
+from typing import BinaryIO, Literal
 
 import numpy as np
 
+Numbers = Literal["ascii", "float", "double"]
+"""How the numbers of a matrix are written."""
 
-def header(shape: tuple[int, int], place: tuple[float, float], binary: bool, maker: str, channels: int = 3) -> bytes:
+
+def header(
+    shape: tuple[int, int], place: tuple[float, float], numbers: Numbers, maker: str, channels: int = 3
+) -> bytes:
     """The header of a matrix of `shape` (rows, columns)."""
-    order = f"BigEndian={int(sys.byteorder == 'big')}\n" if binary else ""
+    order = "" if numbers == "ascii" else f"BigEndian={int(sys.byteorder == 'big')}\n"
     lines = f"#?RADIANCE\n{maker}\nLATLONG= {place[0]:.8f} {place[1]:.8f}\nNROWS={shape[0]}\nNCOLS={shape[1]}\n"
-    return f"{lines}NCOMP={channels}\n{order}FORMAT={'float' if binary else 'ascii'}\n\n".encode("ascii")
+    return f"{lines}NCOMP={channels}\n{order}FORMAT={numbers}\n\n".encode("ascii")
 
 
 def write(
@@ -20,7 +25,7 @@ def write(
     rows: Iterable[np.ndarray],
     shape: tuple[int, int],
     place: tuple[float, float],
-    binary: bool,
+    numbers: Numbers,
     maker: str = "skydome",
 ) -> None:
     """Write rows, a few (J, T, channels) at a time; ASCII has three digits, like gendaymtx's, and a gap after a row.
@@ -30,10 +35,11 @@ def write(
     started = not maker
     for block in rows:
         if not started:
-            file.write(header(shape, place, binary, maker, block.shape[-1]))
+            file.write(header(shape, place, numbers, maker, block.shape[-1]))
             started = True
-        if binary:
-            file.write(np.ascontiguousarray(block, np.float32).data.cast("B"))
+        if numbers != "ascii":
+            dtype = np.float32 if numbers == "float" else np.float64
+            file.write(np.ascontiguousarray(block, dtype).data.cast("B"))
         else:
             for row in block:
                 np.savetxt(file, row, fmt="%.3g")

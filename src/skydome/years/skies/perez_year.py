@@ -8,9 +8,10 @@ from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.skies.perez_table import Compat, bins_about, guarded_letters
 from skydome.sun.day import is_day
+from skydome.sun.track import SunTrack
 from skydome.years.skies.dome_means import PerezSkies
 from skydome.years.skies.status import status_of
-from skydome.years.weather.sun_of_interval import SunTrack, lit_sun
+from skydome.years.weather.sun_of_interval import lit_sun
 from skydome.years.weather.tape import DEW_POINT
 from skydome.years.weather.weather import Weather
 
@@ -19,7 +20,10 @@ BRIGHTEST = 0.6
 
 
 class PerezYear(NamedTuple):
-    """The sun and flags of T intervals; the K skies of the lit ones (indices `lit`) and their illuminances, lx."""
+    """The sun and flags of T intervals; the K skies of the lit ones (indices `lit`) and their illuminances, lx.
+
+    Lit are those with the sun up and light of any kind: where the sky sends none, its sun still shines.
+    """
 
     lit: np.ndarray
     skies: PerezSkies

@@ -11,13 +11,15 @@ from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.units import deg
+from skydome.sun.track import SunTrack
 from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
+from skydome.years.weather.calendar import Label
+from skydome.years.weather.closure import aligned, facts_of
 from skydome.years.weather.plausibility import warn_of_wrong_place
-from skydome.years.weather.reading import read_weather
-from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
 
 Compat = Literal["paper", "gendaylit", "gendaymtx"]
 COMPATS = ("paper", "gendaylit", "gendaymtx")
+LOCAL = "middle of the interval, standard time of the site, {:+g} h from UTC"
 
 
 def year(
@@ -38,12 +41,15 @@ def year(
     clouds: ArrayLike | None = None,
     calendar_year: int | None = None,
     track: SunTrack | None = None,
+    label: Label | None = None,
+    shift: "float | Literal['auto'] | None" = None,
 ) -> "xarray.Dataset":
     """The skies of a year: luminance (time, patch), cd m-2, float32, with sun, illuminances and status by the interval.
 
-    `weather` is a file that `read_weather` knows, or a `Weather`. Patches hold true means, levelled so that together
-    they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun's disc is not in them: it is
-    `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
+    `weather` is a file that `read_weather` knows, or a `Weather`; `label` and `shift` are as there. `time` is UTC,
+    `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so
+    that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun is not in them: it
+    is `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
     1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
     neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
     patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch,
@@ -52,7 +58,7 @@ def year(
     luminance.
 
     >>> import pandas as pd, skydome as sd
-    >>> from skydome.years.weather.tmy import from_frame
+    >>> from skydome.years.weather.frame import from_frame
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
     >>> frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
     >>> skies = year(from_frame(frame, sd.Place(45.07, 7.69)))
@@ -64,8 +70,14 @@ def year(
     required("xarray", "year", "a year of skies")
     if compat not in COMPATS:
         raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
-    if not isinstance(weather, Weather):
-        weather = read_weather(weather, calendar_year)
+    if isinstance(weather, Weather):
+        weather = weather if label is None else weather.labelled(label)
+        track = track or SunTrack.over(weather.start[0], weather.end[-1])
+        weather = weather if shift is None else aligned(weather, shift, track)
+    else:
+        weather = as_written(weather, calendar_year, label)
+        track = track or SunTrack.over(weather.start[0], weather.end[-1])
+        weather = aligned(weather, shift, track)
     cut = patches_named(patches)
     sky = perez_year(weather, "gendaylit" if compat == "gendaylit" else "paper", track)
     warn_of_wrong_place(weather, sky.share)
@@ -81,6 +93,7 @@ def year(
     sky.status[black] |= flags.BITS["uniform"]
     luminance[weather.missing] = np.nan
     data = dataset(weather, sky, cut, luminance)
+    data.attrs |= facts_of(weather, track)
     data.attrs |= {"compat": compat, "smooth": int(smooth), "model": "Perez all-weather 1993"}
     if compat == "gendaymtx":
         data["diffuse_horizontal_illuminance"].values[:] = luminance @ cut.horizontal_solid_angles
@@ -103,7 +116,8 @@ def smooth_luminance(sky: PerezYear, cut: Patches, out: np.ndarray) -> None:
 
 def gendaymtx_luminance(weather: Weather, cut: Patches) -> np.ndarray:
     """Luminance (T, N) by gendaymtx's rules; ValueError for patches that it does not know."""
-    from skydome.years.gendaymtx.matrix import WHITE_EFFICACY, matrix, tape_from
+    from skydome.years.gendaymtx.hours import tape_from
+    from skydome.years.gendaymtx.matrix import WHITE_EFFICACY, matrix
 
     division = round(((cut.count - 1) / 144) ** 0.5)
     if cut.name not in ("tregenza", f"reinhart:{division}"):
@@ -165,6 +179,7 @@ def coordinates(weather: Weather, sky: PerezYear, cut: Patches) -> dict[str, Any
 
     return {
         "time": ("time", weather.middle.astype("datetime64[ns]"), {"long_name": "middle of the interval, UTC"}),
+        "local_time": ("time", weather.local.astype("datetime64[ns]"), {"long_name": LOCAL.format(weather.utc_offset)}),
         "sun_time": ("time", sky.times.astype("datetime64[ns]"), {"long_name": "instant of the sun's place, UTC"}),
         "patch": ("patch", np.arange(cut.count, dtype=np.int32)),
         "patch_azimuth": of_patch(cut.azimuths / deg, "degree", "azimuth of the centre"),

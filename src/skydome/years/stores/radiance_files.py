@@ -42,7 +42,9 @@ def write_matrix(
     shape = (data.sizes["patch"] + 1, data.sizes["time"])
     place = (data.attrs["latitude"], data.attrs["longitude"])
     with appearing(path) as beside, beside.open("wb") as file:
-        matrix_text.write(file, matrix_rows(data, reflectance, with_sun), shape, place, binary, "skydome year")
+        matrix_text.write(
+            file, matrix_rows(data, reflectance, with_sun), shape, place, "float" if binary else "ascii", "skydome year"
+        )
 
 
 def matrix_rows(data: "xarray.Dataset", reflectance: float, with_sun: bool) -> Any:

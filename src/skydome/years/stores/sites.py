@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from skydome.ground.extras import required
+from skydome.sun.track import SunTrack
 from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
-from skydome.years.weather.reading import read_weather
-from skydome.years.weather.sun_of_interval import SunTrack
+from skydome.years.weather.closure import aligned
+from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
 
 SITES_A_TASK = 5
@@ -60,12 +61,13 @@ def one_site(
     from skydome.years.skies.series import year
 
     try:
-        weather = read_weather(site.file)
+        weather = as_written(site.file)
         if weather.count != HOURS:
             raise ValueError(f"a year here has {HOURS} hours, got {weather.count}")
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            data = year(weather, track=track_of(weather, tracks), **choices)
+            track = track_of(weather, tracks)
+            data = year(aligned(weather, track=track), track=track, **choices)
     except (ValueError, OSError) as error:
         mark(store, index, FAILED)
         return Outcome(index, f"line {site.row} ({site.name}): {error}")

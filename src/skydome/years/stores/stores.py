@@ -16,6 +16,7 @@ from skydome.dome.patches import patches as patches_named
 from skydome.ground.extras import required
 from skydome.ground.writing import appearing
 from skydome.years.skies.series import year
+from skydome.years.weather.closure import facts_of
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.weather import Weather
 
@@ -68,10 +69,10 @@ def write_year(
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # the place has been looked at already
                 data = year(weather.rows(part), **given)
-                data.attrs["title"] = f"A year of skies{weather.where}"
+                data.attrs |= {"title": f"A year of skies{weather.where}", **facts_of(weather)}
                 if k == 0:
                     clock = {"units": "seconds since 1970-01-01", "dtype": "int64"}
-                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock})
+                    data.to_zarr(beside, mode="w-", encoding={"time": clock, "sun_time": clock, "local_time": clock})
                 else:
                     moving = [name for name in data.variables if "time" not in data[name].dims]
                     data.drop_vars(moving).to_zarr(beside, append_dim="time")

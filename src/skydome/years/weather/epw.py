@@ -1,102 +1,107 @@
 """EnergyPlus weather files (EPW): rows are labelled by the end of their interval, in standard time."""
 
 from os import PathLike
-from pathlib import Path
 
 import numpy as np
 
 from skydome.sun.place import Place
-from skydome.years.weather.calendar import calendar_year, check_dates, interval, local_minutes
+from skydome.years.weather.calendar import check_dates, laid_years, local_minutes, tell_missing_rows
+from skydome.years.weather.rows import Columns, Site, weather_from
+from skydome.years.weather.text import Cells, Text, cells_of, cells_under, text_of
 from skydome.years.weather.weather import Weather
 
-HEADER_LINES = 8
+MOST_HEADER_LINES = 60
 LEAST_FIELDS = 16
-YEAR, MONTH, DAY, HOUR, MINUTE, DEW_POINT, DIRECT_NORMAL, DIFFUSE = 0, 1, 2, 3, 4, 7, 14, 15
-USED = (YEAR, MONTH, DAY, HOUR, MINUTE, DEW_POINT, DIRECT_NORMAL, DIFFUSE)
-MISSING_DEW_POINT, MISSING_IRRADIANCE = 99.9, 9999.0
-"""What stands for a missing value: that and above (EnergyPlus Auxiliary Programs, weather file data dictionary)."""
+FIELDS = {
+    "year": 0, "month": 1, "day": 2, "hour": 3, "minute": 4, "dew point": 7, "global horizontal": 13,
+    "direct normal": 14, "diffuse horizontal": 15,
+}  # fmt: skip
+COLUMNS = Columns("direct normal", "diffuse horizontal", "global horizontal", "dew point")
 
 
-def read_epw(path: str | PathLike[str], year: int | None = None) -> Weather:
+def is_epw(text: Text) -> bool:
+    """True for text that begins as an EPW file does."""
+    return text.first.upper().lstrip('" ').startswith("LOCATION")
+
+
+def read_epw(path: "str | PathLike[str] | Text", year: int | None = None) -> Weather:
     """The weather of an EPW file, hourly or finer; missing values are NaN; see `read_weather` for `year`.
 
-    ValueError with the line for a short row, a word where a number belongs, a date that does not exist.
+    ValueError with the line, and column where there is one, for a short row, a word where a number belongs, a date that
+    does not exist. A warning says how many rows are missing of the period that the header names.
     """
-    name = Path(path).name
-    lines = Path(path).read_text(encoding="utf-8", errors="replace").splitlines()
-    if len(lines) < HEADER_LINES or not lines[0].upper().startswith("LOCATION"):
-        raise ValueError(f"{name}: an EPW file begins with LOCATION and has {HEADER_LINES} lines of header")
-    site, place, utc_offset = location(lines[0], name)
-    per_hour = records_per_hour(lines[HEADER_LINES - 1], name)
-    rows = numbers(lines[HEADER_LINES:], name)
-    years, months, days, hours, minutes, dew_point, direct, diffuse = rows.T
-    check_dates(months, days, HEADER_LINES + 1, name)
-    laid = calendar_year(years, months, days, year)
-    ends = local_minutes(laid, months, days, end_minutes(hours, minutes, per_hour, name))
-    start, end = interval(ends, 3600 / per_hour, "end", utc_offset)
-    return Weather(
-        place=place,
-        start=start,
-        end=end,
-        direct_normal=np.where(direct >= MISSING_IRRADIANCE, np.nan, direct),
-        diffuse_horizontal=np.where(diffuse >= MISSING_IRRADIANCE, np.nan, diffuse),
-        dew_point=np.where(dew_point >= MISSING_DEW_POINT, np.nan, dew_point),
-        utc_offset=utc_offset,
-        name=site,
-    )
+    text = text_of(path)
+    if not is_epw(text):
+        raise ValueError(f"{text.name}, line 1: an EPW file begins with LOCATION, got {text.first[:40]!r}")
+    site = location(text.first, text.name)
+    first, periods = data_periods(text)
+    per_hour = records_per_hour(periods, text.name, first)
+    cells = cells_under(text, first, FIELDS, LEAST_FIELDS)
+    months, days = cells.whole("month"), cells.whole("day")
+    check_dates(months, days, lambda row: f"{cells.name}, line {cells.line[row]}")
+    laid = laid_years(cells.whole("year"), months, days, year)
+    ends = local_minutes(laid, months, days, end_minutes(cells, per_hour))
+    weather = weather_from(cells, COLUMNS, site, ends, 3600 / per_hour)
+    tell_missing_rows(cells.name, ends, periods[5:], per_hour)
+    return weather
 
 
-def location(line: str, name: str) -> tuple[str, Place, float]:
-    """Site, place and hours east of UTC, of the first line; ValueError where it does not hold them."""
-    cells = [cell.strip() for cell in line.split(",")]
+def location(line: str, name: str) -> Site:
+    """Site, place and hours east of UTC, of the first line; ValueError where it does not hold them.
+
+    They are its cells 7 to 10, or the last four where a name with commas was not put in quotes.
+    """
+    cells = cells_of(line)
+    while cells and not cells[-1]:
+        cells.pop()
     try:
-        latitude, longitude, utc_offset, altitude = (float(cell) for cell in cells[6:10])
+        latitude, longitude, utc_offset, altitude = (float(cell) for cell in cells[max(6, len(cells) - 4) :])
     except ValueError:
-        raise ValueError(f"{name}, line 1: LOCATION must have latitude, longitude, time zone, elevation") from None
+        raise ValueError(
+            f"{name}, line 1: LOCATION must have latitude, longitude, time zone, elevation in columns 7-10, "
+            f"got {','.join(cells[6:])[:40]!r}"
+        ) from None
+    return Site(place_at(latitude, longitude, altitude, utc_offset, f"{name}, line 1"), utc_offset, cells[1])
+
+
+def place_at(latitude: float, longitude: float, altitude: float, utc_offset: float, where: str) -> Place:
+    """The place; ValueError that says `where` for one that cannot be, with its hours east of UTC."""
     if not -14 <= utc_offset <= 14:
-        raise ValueError(f"{name}, line 1: the time zone must lie in [-14, 14] hours, got {utc_offset:g}")
-    return cells[1], Place(latitude, longitude, altitude), utc_offset
+        raise ValueError(f"{where}: the time zone must lie in [-14, 14] hours, got {utc_offset:g}")
+    try:
+        return Place(latitude, longitude, altitude if altitude > -500 else 0.0)
+    except ValueError as error:
+        raise ValueError(f"{where}: {error}") from None
 
 
-def records_per_hour(line: str, name: str) -> int:
+def data_periods(text: Text) -> tuple[int, list[str]]:
+    """The number of lines up to DATA PERIODS, the last of the header, and its cells; ValueError without it."""
+    for k, line in enumerate(text.lines[:MOST_HEADER_LINES]):
+        cells = cells_of(line)
+        if cells[0].upper() == "DATA PERIODS":
+            return k + 1, cells
+    raise ValueError(f"{text.name}: an EPW file has a line DATA PERIODS at the end of its header, got none")
+
+
+def records_per_hour(cells: list[str], name: str, line: int) -> int:
     """How many rows an hour has, by the DATA PERIODS line."""
-    cells = line.split(",")
     try:
         count = int(cells[2])
     except (ValueError, IndexError):
         count = 0
-    if not cells[0].upper().startswith("DATA PERIODS") or not 1 <= count <= 60 or 60 % count:
-        raise ValueError(f"{name}, line {HEADER_LINES}: DATA PERIODS must tell the records in an hour, got {line!r}")
+    if not 1 <= count <= 60 or 60 % count:
+        raise ValueError(f"{name}, line {line}: DATA PERIODS must tell the records in an hour, got {','.join(cells)!r}")
     return count
 
 
-def numbers(lines: list[str], name: str) -> np.ndarray:
-    """The used columns of the data lines, (T, 8); blank lines at the end are let go."""
-    while lines and not lines[-1].strip():
-        lines = lines[:-1]
-    rows = np.empty((len(lines), len(USED)))
-    for k, line in enumerate(lines):
-        cells = line.split(",")
-        if len(cells) < LEAST_FIELDS:
-            raise ValueError(
-                f"{name}, line {HEADER_LINES + 1 + k}: a row needs {LEAST_FIELDS} fields or more, got {len(cells)}"
-            )
-        try:
-            rows[k] = [float(cells[column]) for column in USED]
-        except ValueError as error:
-            raise ValueError(f"{name}, line {HEADER_LINES + 1 + k}: {error}") from None
-    if not np.isfinite(rows).all():
-        k = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
-        raise ValueError(f"{name}, line {HEADER_LINES + 1 + k}: numbers must be finite")
-    return rows
-
-
-def end_minutes(hours: np.ndarray, minutes: np.ndarray, per_hour: int, name: str) -> np.ndarray:
+def end_minutes(cells: Cells, per_hour: int) -> np.ndarray:
     """Minutes from midnight to each interval's end; hours run 1-24, minutes 0 or 60 at a full hour."""
+    hours, minutes = cells.whole("hour"), cells.numbers("minute")
+    minutes = np.where(np.isnan(minutes), 0, minutes)
     wrong = np.flatnonzero((hours < 1) | (hours > 24) | (minutes < 0) | (minutes > 60))
     if wrong.size:
-        k = wrong[0]
-        raise ValueError(f"{name}, line {HEADER_LINES + 1 + k}: hour must be 1-24, got {hours[k]:g}:{minutes[k]:g}")
+        k = int(wrong[0])
+        raise ValueError(f"{cells.where('hour', k)}: hour must be 1-24, got {hours[k]:g}:{minutes[k]:g}")
     if per_hour == 1:
         return hours * 60
     ends: np.ndarray = (hours - 1) * 60 + np.where(minutes == 0, 60, minutes)

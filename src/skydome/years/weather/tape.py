@@ -1,80 +1,98 @@
 """The text of Radiance's weather tapes (WEA): a header of six lines, then month, day, hour, direct, diffuse."""
 
-import os
+import re
 from os import PathLike
 from typing import Any
 
 import numpy as np
+
+from skydome.years.weather.text import Text, number, text_of
 
 KEYS = ("place", "latitude", "longitude", "time_zone", "site_elevation", "weather_data_file_units")
 RADIOMETRIC, HORIZONTAL_DIRECT, PHOTOMETRIC = 1, 2, 3
 """Units of a tape: irradiances with direct normal, with direct on the horizontal; illuminances with direct normal."""
 
 COLUMNS, FIRST_LINE = 5, len(KEYS) + 1
+TITLES = ("month", "day", "hour", "direct", "diffuse")
 DEW_POINT = 11.0
 """What Radiance takes where a tape has no dew point, degrees C."""
 
+MISSING_LIGHT = 999_900.0
+"""Illuminances from here on are missing, lx; 9999 is one that may be."""
 
-def read_tape(path: str | PathLike[str]) -> tuple[dict[str, Any], np.ndarray]:
+
+def is_tape(text: Text) -> bool:
+    """True for text that begins as a tape does."""
+    return text.first.strip().lower().startswith(KEYS[0])
+
+
+def read_tape(path: "str | PathLike[str] | Text") -> tuple[dict[str, Any], np.ndarray]:
     """The header by key (numbers as they stand: longitude and zone positive to the west) and the rows (T, 5).
 
-    ValueError with the line for what cannot be read, and for units that gendaymtx does not know.
+    Direct and diffuse are NaN where missing. ValueError with the line for what cannot be read, and for units that
+    gendaymtx does not know.
     """
-    name = os.path.basename(path)
-    with open(path, encoding="utf-8", errors="replace") as file:
-        head, body = split(file.read(), name)
+    text = text_of(path)
+    head = header(text)
     units = head["weather_data_file_units"]
     if units not in (RADIOMETRIC, HORIZONTAL_DIRECT, PHOTOMETRIC):
         raise ValueError(
-            f"{name}: weather_data_file_units must be 1 or 2 (irradiances) or 3 (illuminances), got {units:g}"
+            f"{text.name}, line {len(KEYS)}: weather_data_file_units must be 1 or 2 (irradiances) or 3 (illuminances), "
+            f"got {units:g}"
         )
-    return head, table(body, name)
+    rows = table(text)
+    light = rows[:, 3:]
+    marks = light >= MISSING_LIGHT if units == PHOTOMETRIC else (light >= 9999) | (light == -99)
+    light[marks | (light <= -900)] = np.nan
+    return head, rows
 
 
-def split(text: str, name: str) -> tuple[dict[str, Any], str]:
-    """The header by key and the text of the data."""
+def header(text: Text) -> dict[str, Any]:
+    """The header by key; after a number may follow other words (`site_elevation 235,Csb`)."""
     head: dict[str, Any] = {}
     for k, key in enumerate(KEYS):
-        line, _, text = text.partition("\n")
-        word, _, value = line.strip().partition(" ")
-        if word != key:
-            raise ValueError(f"{name}, line {k + 1}: a WEA file has {key} here, got {line[:40]!r}")
-        head[key] = value.strip() if key == "place" else number(key, value, name)
-    return head, text
+        line = text.lines[k].strip() if k < len(text.lines) else ""
+        word, _, value = line.partition(" ")
+        if word.lower() != key:
+            raise ValueError(f"{text.name}, line {k + 1}: a WEA file has {key} here, got {line[:40]!r}")
+        head[key] = value.strip() if key == "place" else header_number(key, value.strip(), f"{text.name}, line {k + 1}")
+    return head
 
 
-def number(key: str, text: str, name: str) -> float:
-    """A number of the header; ValueError for anything else."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = float("nan")
+def header_number(key: str, text: str, where: str) -> float:
+    """A number of the header; ValueError that says `where` for anything else."""
+    found = re.match(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?=\s|,\D|$)", text)
+    value = float(found[0]) if found else float("nan")
     if not abs(value) < 1e6:
-        raise ValueError(f"{name}: {key} must be a number, got {text!r}")
+        raise ValueError(f"{where}: {key} must be a number, got {text[:40]!r}")
     return value
 
 
-def table(body: str, name: str) -> np.ndarray:
+def table(text: Text) -> np.ndarray:
     """Month, day, hour, direct, diffuse of each row, (T, 5); quickly, and line by line where something is wrong."""
-    lines = body.rstrip().count("\n") + 1 if body.strip() else 0
+    lines = text.lines[len(KEYS) :]
+    while lines and not lines[-1].strip("\x1a\x00 \t\f"):
+        lines.pop()
     try:
-        values = np.array(body.split(), dtype=np.float64)
+        values = np.array(" ".join(lines).split(), dtype=np.float64)
     except ValueError:
         values = np.empty(0)
-    if lines == 0 or values.size != lines * COLUMNS or not np.isfinite(values).all():
-        return line_by_line(body.rstrip().split("\n"), name)
-    return values.reshape(lines, COLUMNS)
+    if not lines or values.size != len(lines) * COLUMNS or not np.isfinite(values).all():
+        return line_by_line(lines, text.name)
+    return values.reshape(len(lines), COLUMNS)
 
 
 def line_by_line(lines: list[str], name: str) -> np.ndarray:
-    """The same of each line, with ValueError that tells the line."""
+    """The same of each line, with ValueError that tells line and column; nan for direct and diffuse is missing."""
     rows = []
-    for k, line in enumerate(lines):
-        try:
-            row = [float(cell) for cell in line.split()]
-        except ValueError as error:
-            raise ValueError(f"{name}, line {FIRST_LINE + k}: {error}") from None
-        if len(row) != COLUMNS or not np.isfinite(row).all():
-            raise ValueError(f"{name}, line {FIRST_LINE + k}: a row has {COLUMNS} finite numbers, got {line[:40]!r}")
+    for line_number, line in enumerate(lines, start=FIRST_LINE):
+        cells = line.split()
+
+        def where(column: int, at: int = line_number) -> str:
+            return f"{name}, line {at}, column {column + 1} ({TITLES[column]})"
+
+        row = [number(cell, lambda k=k: where(k)) for k, cell in enumerate(cells[:COLUMNS])]  # type: ignore[misc]
+        if len(cells) != COLUMNS or np.isinf(row).any() or np.isnan(row[:3]).any():
+            raise ValueError(f"{name}, line {line_number}: a row has {COLUMNS} finite numbers, got {line[:40]!r}")
         rows.append(row)
-    return np.array(rows)
+    return np.array(rows).reshape(-1, COLUMNS)

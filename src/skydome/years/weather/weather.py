@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
-from skydome.years.weather.calendar import Label
+from skydome.years.weather.calendar import Label, check_label
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,6 +19,9 @@ class Weather:
     in W m-2 and `dew_point` (T,) in degrees C, each NaN where missing. `utc_offset` is the file's standard time,
     hours east. `negative` (T,) marks irradiances that were just below 0 and count as 0. `direct_illuminance` and
     `diffuse_illuminance` (T,), lx, are there where light was measured, and the irradiances are found from them.
+    `global_horizontal` (T,), W m-2, NaN where missing, is there where it was measured; `decomposition` names how
+    direct or diffuse irradiance was found from it, and is empty where both were given. `shifted` are the minutes by
+    which the file's stamps were moved (`later`).
 
     >>> start = np.array(["2026-06-21T10"], dtype="datetime64[s]")
     >>> parts = (np.array([700.0]), np.array([120.0]), np.array([12.0]))
@@ -38,6 +41,9 @@ class Weather:
     label: Label = "end"
     direct_illuminance: np.ndarray | None = None
     diffuse_illuminance: np.ndarray | None = None
+    global_horizontal: np.ndarray | None = None
+    decomposition: str = ""
+    shifted: float = 0.0
 
     def __post_init__(self) -> None:
         if len(self.start) == 0:
@@ -94,8 +100,24 @@ class Weather:
         """The same weather at another place (to put right a wrong sign)."""
         return replace(self, place=place)
 
+    def later(self, minutes: float) -> "Weather":
+        """The same irradiances in intervals some minutes later, or earlier (negative): the shift of a file's stamps."""
+        moved = np.timedelta64(round(minutes * 60), "s")
+        return replace(self, start=self.start + moved, end=self.end + moved, shifted=self.shifted + minutes)
+
+    def labelled(self, label: Label) -> "Weather":
+        """The weather whose rows' times are read as standing elsewhere in their intervals."""
+        check_label(label)
+        if self.label == "instant" or label == "instant":
+            raise ValueError(f"the rows' label {self.label!r} cannot be read as {label!r}")
+        length = (self.end - self.start).astype(np.int64)
+        share = {"end": 1.0, "middle": 0.5, "start": 0.0}
+        moved = np.rint((share[self.label] - share[label]) * length).astype("timedelta64[s]")
+        return replace(self, start=self.start + moved, end=self.end + moved, label=label)
+
     def rows(self, chosen: slice | ArrayLike) -> "Weather":
         """The intervals `chosen` by a slice, a mask or indices."""
         names = ["start", "end", "direct_normal", "diffuse_horizontal", "dew_point"]
         names += ["direct_illuminance", "diffuse_illuminance"] if self.diffuse_illuminance is not None else []
+        names += ["global_horizontal"] if self.global_horizontal is not None else []
         return replace(self, **{name: getattr(self, name)[chosen] for name in names})
