@@ -7,7 +7,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 import skydome as sd
-from skydome.skies.perez_table import brightness, clearness
+from skydome.skies.formula.perez_table import brightness, clearness
 
 SIDE = 150
 ZENITH_TO_SUN = 50.0

@@ -159,7 +159,7 @@ def test_irradiance_sets_the_disc(facts, when, sun):
     disc = sd.SunDisc.from_irradiance(sun, 800.0)
     assert told["illuminance_lx"]["direct_normal"] == pytest.approx(float(disc.illuminance(sun)))
     perez = facts("light", *when, "--model", "perez-all-weather", "--dni", 800, "--dhi", 110)
-    sky = sd.PerezAllWeather(sun, 800.0, 110.0)
+    sky = sd.PerezAllWeather(sun, 800.0, 110.0, 1367 / sd.earth_sun_distance(INSTANT) ** 2)
     assert perez["illuminance_lx"]["direct_normal"] == pytest.approx(float(sky.direct_normal_illuminance))
     assert perez["illuminance_lx"]["diffuse"] == pytest.approx(float(sky.diffuse_illuminance), rel=1e-4)
 

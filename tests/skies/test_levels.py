@@ -7,7 +7,7 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.skies.perez_table import clearness_bin
+from skydome.skies.formula.perez_table import clearness_bin
 
 SUN = sd.direction(azimuth=180 * deg, elevation=45 * deg)
 
@@ -84,7 +84,7 @@ def test_smooth_takes_the_jump_away():
 
 def test_smooth_is_the_year_s():
     from skydome.dome.patches import patches
-    from skydome.skies.perez_table import bins_about, guarded_letters
+    from skydome.skies.formula.perez_table import bins_about, guarded_letters
     from skydome.years.skies.dome_means import PerezSkies, dome_means
 
     cut = patches("reinhart:4")
@@ -209,7 +209,7 @@ def test_gas_bands_that_the_air_lacks_are_told():
 
 
 def test_the_ground_is_the_same_for_every_model():
-    from skydome.skies.catalogue import USUAL
+    from skydome.skies.models import USUAL
 
     assert sd.HosekWilkie(SUN, 3.0).albedo == sd.Atmosphere.standard().albedo == USUAL["albedo"] == 0.2
     assert sd.Atmosphere().albedo == sd.Atmosphere.from_turbidity(3.0).albedo == 0.2

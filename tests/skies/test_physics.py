@@ -137,7 +137,7 @@ def test_preetham_spectrum_keeps_its_luminance():
 
 def test_horizontal_integral_of_every_perez_bin_is_that_of_a_dense_rule():
     from skydome.skies.formula.perez_formula import evaluate, from_perez, view_geometry
-    from skydome.skies.perez_table import distribution_letters
+    from skydome.skies.formula.perez_table import distribution_letters
 
     directions, weights = hemisphere(1000, 1000)
     for epsilon in (1.0, 1.1, 1.3, 1.7, 2.2, 3.5, 5.0, 8.0):

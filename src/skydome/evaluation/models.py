@@ -9,8 +9,9 @@ import numpy as np
 from skydome.air.atmosphere import DARK_GREEN, Atmosphere
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.evaluation.evaluation import SkyOf
-from skydome.skies.catalogue import CATALOGUE, AirModel, Model, TracedModel
+from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.models import AirModel, Model, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
 

@@ -8,11 +8,11 @@
 - cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
 - perez              The Perez sky from five letters
 - perez_all_weather  Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution
-- perez_table        Perez's table: clearness, brightness, bins and letters
 - preetham           Preetham, Shirley and Smits's clear sky
 - hosek_wilkie       Hosek and Wilkie's clear sky: nine numbers for each band or channel, fitted to a path tracer
 - daylight_sky       Colour for skies that know luminance only, given on purpose
 - captured           The sky of a photograph: an environment map that answers as every sky does
+- models             What a model of the catalogue is: its class, what a user gives, what is said of choices
 - catalogue          Every sky model by name, a row each: what the commands, fits, lessons and evaluations read
 - series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
 - formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)

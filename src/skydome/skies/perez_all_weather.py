@@ -28,8 +28,7 @@ from skydome.light.irradiance import GREATEST_IRRADIANCE
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky, Recipe
 from skydome.skies.formula.level import integral, levelled, require_one_level
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, from_perez
-from skydome.skies.formula.quantity import Quantity
-from skydome.skies.perez_table import (
+from skydome.skies.formula.perez_table import (
     Compat,
     bins_about,
     brightness,
@@ -38,6 +37,7 @@ from skydome.skies.perez_table import (
     guarded_letters,
     table_rows,
 )
+from skydome.skies.formula.quantity import Quantity
 from skydome.skies.validity import Range
 
 

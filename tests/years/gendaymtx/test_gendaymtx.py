@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from skydome.skies.perez_table import distribution_letters
+from skydome.skies.formula.perez_table import distribution_letters
 from skydome.years.gendaymtx import hours
 from skydome.years.gendaymtx import matrix as gendaymtx
 from skydome.years.gendaymtx.conditions import conditions

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from skydome.ground.units import SOLAR_CONSTANT
+from skydome.skies.formula.perez_table import Compat, bins_about, guarded_letters
 from skydome.skies.perez_all_weather import PerezAllWeather
-from skydome.skies.perez_table import Compat, bins_about, guarded_letters
 from skydome.sun.day import is_day
 from skydome.sun.track import SunTrack
 from skydome.years.skies.dome_means import PerezSkies
