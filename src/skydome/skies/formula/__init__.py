@@ -1,7 +1,6 @@
 """The nine numbers: the extended Perez formula (Hosek and Wilkie 2012, eq. 8), and everything that speaks it.
 
 - perez_formula        The nine numbers: the extended Perez formula from which nearly every analytic sky is made
-- perez_table     Perez's table: clearness, brightness, bins and letters
 - perez_table          Perez's table: clearness, brightness, bins and letters
 - formula_sky          Skies that are nothing but coefficients of the nine-number formula
 - quantity             From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
