@@ -8,8 +8,8 @@ from skydome.cli.moment import Moment, moment_of, require_day
 from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
-    from skydome.skies.catalogue import Model
     from skydome.skies.colour_sky import ColourSky
+    from skydome.skies.model import Model
     from skydome.skies.sky import Sky
     from skydome.skies.suns.sun_disc import SunDisc
 

@@ -8,7 +8,7 @@ from skydome.cli.options import AsJson, SkyOptions, option_name
 from skydome.cli.printing import print_json
 
 if TYPE_CHECKING:
-    from skydome.skies.catalogue import Model
+    from skydome.skies.model import Model
 
 
 def models(as_json: AsJson = False) -> None:
@@ -57,7 +57,7 @@ def own_facts(model: "Model") -> list[dict[str, Any]]:
 
 def taken_facts(model: "Model") -> list[dict[str, Any]]:
     """The parameters of a model that makes its class's from the options that it takes: the air's."""
-    from skydome.skies.catalogue import USUAL
+    from skydome.skies.model import USUAL
 
     sun = {"name": "sun", "option": "--sun", "required": True}
     return [sun] + [

@@ -1,0 +1,158 @@
+"""The kinds of rows in the catalogue of skies: what a model's class does not tell, and how its sky is made."""
+
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from typing import Any
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.cross_sections import rayleigh_depth
+from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.all_air.taught_air import clear_air
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.formula.formula_sky import FormulaSky
+from skydome.skies.formula.level import UsualLevel
+from skydome.skies.neural.sky import NeuralForm, read_network
+from skydome.skies.path_tracing.sky import PathTraced
+from skydome.skies.physical.held import held
+from skydome.skies.physical.held_tracing import Report, held_tracing
+from skydome.skies.sky import Sky, SunlitSky
+from skydome.skies.validity import Check
+
+USUAL = {"turbidity": 3.0, "albedo": 0.2}
+"""What is taken where nobody says: clear air over dry land."""
+
+
+@dataclass(frozen=True)
+class Model:
+    """A sky model by `name`: its class, and what the class does not tell.
+
+    `takes`: parameters that a user gives; `fixed`: those that the name settles. `level`: how bright it usually is, for
+    skies known up to a factor; `shines`: whether the sun's disc is seen in it. `fitted`: what `fit` looks for.
+    `lesson`: the name by which networks learn it, as spectral radiance at `lesson_bands`, nm, or as RGB without.
+    `failures`: where it is known to fail; `evaluate` takes the models that say so.
+    """
+
+    name: str
+    kind: type[Sky]
+    takes: tuple[str, ...] = ()
+    fixed: Mapping[str, Any] = field(default_factory=dict)
+    level: UsualLevel | None = None
+    shines: bool = True
+    fitted: tuple[str, ...] = ()
+    lesson: str = ""
+    lesson_bands: tuple[float, ...] = ()
+    failures: str = ""
+
+    @property
+    def needed(self) -> dict[str, bool]:
+        """The class's parameters, and whether it needs each."""
+        bare = (MISSING, MISSING)
+        return {item.name: (item.default, item.default_factory) == bare for item in fields(self.kind)}
+
+    @property
+    def has_sun(self) -> bool:
+        """Whether the sky depends on where the sun stands."""
+        return issubclass(self.kind, SunlitSky)
+
+    @property
+    def has_shader(self) -> bool:
+        """Whether `skydome shader` can write it: the nine numbers, or a network."""
+        return issubclass(self.kind, (FormulaSky, NeuralForm))
+
+    @property
+    def level_name(self) -> str | None:
+        """What the class calls its zenith luminance; None for a model that knows its level."""
+        return next((name for name in ("zenith_luminance", "value") if name in self.needed), None)
+
+    @property
+    def is_clear_spectrum(self) -> bool:
+        """Whether it is a spectrum by turbidity for many suns at once, which can colour a year."""
+        return issubclass(self.kind, FormulaSky) and issubclass(self.kind, SpectralSky) and "turbidity" in self.takes
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky of a `sun` (None for models without one) with the parameters given by name.
+
+        `report(done, error)` is told how long works go on.
+
+        >>> import skydome as sd
+        >>> from skydome.skies.catalogue import model_named
+        >>> sky = model_named("preetham").make(sd.direction(azimuth=1.0, elevation=0.7), {"turbidity": 2.5})
+        >>> type(sky).__name__, sky.turbidity
+        ('Preetham', 2.5)
+        """
+        parameters = {**self.fixed, **(given or {})} | ({"sun": sun} if self.has_sun else {})
+        return self.kind(**parameters, check=check)
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """What was chosen for the user who gave these parameters, a line each."""
+        return []
+
+
+@dataclass(frozen=True)
+class NeuralModel(Model):
+    """A network by name: `fixed["network"]` is one that the package carries, or a file."""
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky of the network."""
+        return super().make(sun, {**(given or {}), "network": read_network(self.fixed["network"])}, check, report)
+
+
+@dataclass(frozen=True)
+class AirModel(Model):
+    """A sky of air of a turbidity over a ground, its colours held in a table."""
+
+    takes: tuple[str, ...] = ("turbidity", "albedo")
+
+    def air(self, given: Mapping[str, Any]) -> Any:
+        """Air of the usual aerosol."""
+        asked = USUAL | dict(given)
+        return Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The held sky."""
+        sky: Any = self.kind
+        return held(sky(sun, self.air(given or {})))
+
+    def remarks(self, given: Mapping[str, Any]) -> list[str]:
+        """The air."""
+        turbidity = (USUAL | dict(given))["turbidity"]
+        aerosol, ozone = self.air(given).constituents[1:3]
+        depth, lobe = f"{aerosol.optical_depth:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
+        return [f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU"]
+
+
+@dataclass(frozen=True)
+class PhysicalModel(AirModel):
+    """The physical sky, of an aerosol that makes up the turbidity at 550 nm."""
+
+    def air(self, given: Mapping[str, Any]) -> Any:
+        """The air that was taught, with that aerosol."""
+        asked = USUAL | dict(given)
+        depth = (asked["turbidity"] - 1) * float(rayleigh_depth([550.0])[0])
+        return clear_air(depth, albedo=asked["albedo"])
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The sky."""
+        return PhysicalSky(sun, self.air(given or {}), check=check)
+
+
+@dataclass(frozen=True)
+class TracedModel(AirModel):
+    """The path tracer: `until` a median relative error, or so many `paths` a direction."""
+
+    takes: tuple[str, ...] = ("turbidity", "albedo", "until", "paths")
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The held tracing."""
+        asked = given or {}
+        return held_tracing(PathTraced(sun, self.air(asked)), asked.get("until"), asked.get("paths"), report)
