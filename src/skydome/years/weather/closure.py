@@ -32,8 +32,8 @@ WORTH, BETTER = 10.0, 0.6
 APART, LEAST_DAYS, CLEAREST = 20.0, 60, 4
 """Minutes by which both witnesses may differ; days that a noon needs; how many are taken of each twelfth of them."""
 
-OFF_NOON = 40.0
-"""Minutes of noon that are told of where no global irradiance was measured."""
+OFF_NOON, MOST_AT_NIGHT = 40.0, 0.25
+"""Minutes of noon that are told of where no global irradiance was measured; share of the light at night, at most."""
 
 
 @dataclass(frozen=True)
@@ -191,8 +191,15 @@ def aligned(weather: Weather, shift: "float | Literal['auto'] | None" = None, tr
 
 
 def warn_of_noon(weather: Weather, track: SunTrack) -> None:
-    """Warn where the noon of a record without global irradiance is off: a wrong zone, mostly."""
-    noon = noon_shift(weather, np.add(*weather.irradiances), track)
+    """Warn where the noon of a record without global irradiance is off: a wrong zone, mostly.
+
+    Where much of the light falls at night, the place is wrong, of which `plausibility` tells.
+    """
+    light = np.add(*weather.irradiances)
+    down = track.directions(weather.place, weather.middle.astype(np.float64))[:, 2] < 0
+    if light[down].sum() > MOST_AT_NIGHT * light.sum():
+        return
+    noon = noon_shift(weather, light, track)
     if abs(noon) >= OFF_NOON:
         zone = f": is the time zone {abs(noon) / 60:.0f} h off?" if abs(noon) > 45 else ""
         warnings.warn(
