@@ -50,6 +50,11 @@ KERNEL_PAIRS = (
         "skies/formula/test_kernel_parity.py::test_xyz_luminance_and_spectra",
     ),
     Pair(
+        "skies.physical.held_fields:HeldFields",
+        "skies.physical.held_kernel:shine",
+        "skies/physical/test_held_fields.py::test_compiled",
+    ),
+    Pair(
         "skies.neural.network:Network",
         "skies.neural.kernel:shine",
         "skies/neural/test_network_kernel.py::test_directions",

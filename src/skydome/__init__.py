@@ -42,6 +42,8 @@ HOME = {
     "skies.neural.sky": "NeuralSky NeuralSpectralSky",
     "skies.captured": "CapturedSky",
     "skies.physical.choice": "physical_sky",
+    "skies.all_air.sky": "PhysicalSky",
+    "skies.all_air.taught_air": "clear_air",
     "skies.physical.discrete_ordinates": "DiscreteOrdinates",
     "skies.physical.nishita": "Nishita93 Nishita96",
     "skies.physical.held": "held",

@@ -68,6 +68,8 @@ from skydome.maps.equirectangular import Equirectangular as Equirectangular
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
 from skydome.maps.targets import target as target
+from skydome.skies.all_air.sky import PhysicalSky as PhysicalSky
+from skydome.skies.all_air.taught_air import clear_air as clear_air
 from skydome.skies.blend import blend as blend
 from skydome.skies.captured import CapturedSky as CapturedSky
 from skydome.skies.cie import CIE as CIE

@@ -84,7 +84,7 @@ def test_people_read_a_table(profile):
         (("--plane", "200,0"), "tilt of --plane must lie in [0, 180]"),
         (("--ground", "2"), "--ground must lie in [0, 1], got 2"),
         (("--bands", "0"), "--bands must lie in [1, 4096]"),
-        (("--horizon", "none.csv"), "horizon's file must exist, got none.csv"),
+        (("--horizon", "none.csv"), "a horizon's profile must be a file that exists, got none.csv"),
     ],
 )
 def test_bad_options_are_refused(arguments, said):

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import skydome as sd
+from skydome import deg
 from skydome.ground.directions import (
     angle_between,
     azimuth,
@@ -95,3 +96,51 @@ def test_vectors_that_are_no_directions_are_refused():
         checked_directions(np.array([0.0, 0.0, 1.01]))
     with pytest.raises(ValueError, match=r"must have shape \(..., 3\)"):
         checked_directions(np.zeros(2))
+
+
+ELEVATIONS = {
+    "direction": lambda e: sd.direction(0.0, e),
+    "directions": lambda e: sd.direction(0.0, [0.1, e]),
+    "float32": lambda e: sd.direction(np.float32(0), np.array([e], np.float32)),
+    "camera": lambda e: sd.Camera(0.0, e),
+    "half sphere": lambda e: sd.HalfSphere(0.0, e),
+    "glare": lambda e: sd.glare(sd.EnvironmentMap(np.ones((4, 8, 3))), 0.0, e),
+    "horizon": lambda e: sd.Horizon.level(e),
+    "field of view": lambda e: sd.Camera(field_of_view=e),
+}
+
+
+@pytest.mark.parametrize("entry", ELEVATIONS.values(), ids=ELEVATIONS)
+@pytest.mark.parametrize("degrees", [45, 89.5, 12])
+def test_elevations_in_degrees_are_refused_wherever_they_enter(entry, degrees):
+    with pytest.raises(
+        ValueError, match=rf"must lie in .* degrees, got .*radians; degrees are written {degrees} \* deg"
+    ):
+        entry(degrees)
+
+
+AZIMUTHS = {
+    "direction": lambda a: sd.direction(a, 0.1),
+    "camera": lambda a: sd.Camera(a),
+    "canyon": lambda a: sd.StreetCanyon(10.0, 10.0, azimuth=a),
+    "horizon": lambda a: sd.Horizon([0.0, a], [0.1, 0.2]),
+    "map": lambda a: sd.EnvironmentMap(np.ones((4, 8, 3))).rotated(a),
+    "projection": lambda a: sd.Equirectangular(azimuth_left=a),
+    "turn": lambda a: rotate_about_vertical(sd.NORTH, a),
+}
+
+
+@pytest.mark.parametrize("entry", AZIMUTHS.values(), ids=AZIMUTHS)
+@pytest.mark.parametrize("degrees", [180, -90, 13])
+def test_azimuths_in_degrees_warn_wherever_they_enter(entry, degrees):
+    with pytest.warns(UserWarning, match=rf"more than two turns, .*degrees are written {degrees} \* deg"):
+        entry(degrees)
+    entry(degrees * deg)  # and nothing is said of these
+
+
+def test_ends_of_the_angles_are_allowed():
+    for kind in (np.float32, np.float64):
+        up = sd.direction(kind(4 * np.pi), np.array([-np.pi / 2, np.pi / 2], kind))
+        assert up[:, 2].tolist() == [-1, 1]
+    with pytest.raises(ValueError, match=r"\[-90, 90\] degrees, got 90\.0002$"):
+        sd.direction(0.0, np.pi / 2 + 3e-6)

@@ -129,7 +129,7 @@ def test_snow_ends_at_nine_tenths_and_grey_is_a_photo_too(land, tmp_path):
 def test_faults_in_one_line(land, tmp_path):
     photo = np.moveaxis(quarters(), -1, 0)
     faults = {
-        "none.png": "no texture at",
+        "none.png": "a texture must be a file that exists",
         "text.png": "damaged or no picture",
         "text.tif": "damaged or no GeoTIFF",
         "photo.gif": "must end in .tif, .png or .jpg",
@@ -205,4 +205,4 @@ def test_command(tmp_path):
     assert "texels stretched over the map" in " ".join(json.loads(done.stdout)["notes"])
     failed = CliRunner().invoke(app, [*usual, *small, str(tmp_path / "none.png")])
     assert failed.exit_code == 2
-    assert "no texture at" in failed.output.replace("\n", " ")
+    assert "a texture must be a file that exists" in failed.output.replace("\n", " ")

@@ -209,7 +209,7 @@ def test_gas_bands_that_the_air_lacks_are_told():
 
 
 def test_the_ground_is_the_same_for_every_model():
-    from skydome.skies.models import USUAL
+    from skydome.skies.model import USUAL
 
     assert sd.HosekWilkie(SUN, 3.0).albedo == sd.Atmosphere.standard().albedo == USUAL["albedo"] == 0.2
     assert sd.Atmosphere().albedo == sd.Atmosphere.from_turbidity(3.0).albedo == 0.2

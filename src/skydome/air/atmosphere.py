@@ -12,6 +12,7 @@ from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at,
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
+from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
@@ -163,11 +164,11 @@ class Atmosphere:
         parts = (mars.gas(pressure), mars.dust(dust_depth))
         return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
 
-    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Vertical optical depth of everything above the ground, (W,)."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
 
-    def albedo_at(self, wavelengths: ArrayLike) -> np.ndarray:
+    def albedo_at(self, wavelengths: ArrayLike) -> Array:
         """The ground's albedo, (W,)."""
         return at(self.albedo, wavelengths)
 

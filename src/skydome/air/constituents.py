@@ -10,18 +10,34 @@ from numpy.typing import ArrayLike
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete
 from skydome.light.spectrum import Spectrum
 
 
-def at(value: float | Spectrum, wavelengths: ArrayLike) -> np.ndarray:
-    """A number or a `Spectrum` at wavelengths, (W,)."""
+def at(value: Any, wavelengths: Any) -> Array:
+    """A number, numbers (...,) of any library, or a `Spectrum`, at wavelengths (W,): shape (..., W)."""
     w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
-    return value.at(w) if isinstance(value, Spectrum) else np.full(w.shape, float(value))
+    if isinstance(value, Spectrum):
+        return value.at(w)
+    number = floating(value)
+    return number[..., None] * constant(np.ones(w.shape), number)
+
+
+def along(factors: Array, number: Any) -> Array:
+    """`factors` (W,) times a number, or numbers (...,) of any library, shape (..., W)."""
+    number = floating(number)
+    return constant(factors, number) * number[..., None]
+
+
+def known(value: Any) -> np.ndarray:
+    """The values of a number, array or `Spectrum` as NumPy has them; none while a library traces them."""
+    numbers = value.values if isinstance(value, Spectrum) else value
+    return np.asarray(as_numpy(numbers), dtype=np.float64) if is_concrete(numbers) else np.zeros(0)
 
 
 def require_share(name: str, value: ArrayLike | Spectrum) -> None:
     """ValueError unless a number or `Spectrum` lies in [0, 1] everywhere."""
-    numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
+    numbers = known(value)
     wrong = numbers[~((numbers >= 0) & (numbers <= 1))]
     if wrong.size:
         raise ValueError(f"{name} must lie in [0, 1], got {wrong.flat[0]:g}")
@@ -29,23 +45,27 @@ def require_share(name: str, value: ArrayLike | Spectrum) -> None:
 
 def require_positive(name: str, value: ArrayLike | Spectrum) -> None:
     """ValueError unless a number or `Spectrum` is finite and not negative."""
-    numbers = np.asarray(value.values if isinstance(value, Spectrum) else value, dtype=np.float64)
+    numbers = known(value)
     wrong = numbers[~((numbers >= 0) & np.isfinite(numbers))]
     if wrong.size:
         raise ValueError(f"{name} must be finite and not negative, got {wrong.flat[0]:g}")
 
 
 class Constituent(ABC):
-    """A constituent: vertical optical depth, profile, share scattered, phase function."""
+    """A constituent: vertical optical depth, profile, share scattered, phase function.
+
+    Depths, columns, albedos and exponents may be arrays (...,) of any library, for the skies that take many airs at
+    once; the solvers take one air.
+    """
 
     profile: Profile
 
     @abstractmethod
-    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Vertical optical depth of extinction above the ground at wavelengths (W,) nm, shape (W,)."""
 
     @abstractmethod
-    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """Single scattering albedo: the share of the extinction that is scattered, shape (W,)."""
 
     @property
@@ -73,14 +93,13 @@ class Molecules(Constituent):
         if self.optical_depth is not None:
             require_positive("optical_depth", self.optical_depth)
 
-    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """By Bodhaine et al. 1999, or as given."""
         if self.optical_depth is not None:
             return at(self.optical_depth, wavelengths)
-        depth: np.ndarray = rayleigh_depth(wavelengths, self.pressure)
-        return depth
+        return along(rayleigh_depth(wavelengths), floating(self.pressure) / STANDARD_PRESSURE)
 
-    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """All of it."""
         return at(1.0, wavelengths)
 
@@ -110,15 +129,16 @@ class Aerosol(Constituent):
         require_positive("optical_depth", self.optical_depth)
         require_share("aerosol albedo", self.albedo)
 
-    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Angstrom's law, or the given spectrum."""
-        depth = at(self.optical_depth, wavelengths)
         if isinstance(self.optical_depth, Spectrum):
-            return depth
-        result: np.ndarray = depth * (np.atleast_1d(np.asarray(wavelengths, dtype=float)) / 550) ** -self.angstrom
-        return result
+            return self.optical_depth.at(np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)))
+        exponent = floating(self.angstrom, like=self.optical_depth)[..., None]
+        depth = floating(self.optical_depth, like=exponent)[..., None]
+        ratio = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)) / 550
+        return depth * constant(ratio, exponent) ** -exponent
 
-    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """The single scattering albedo."""
         return at(self.albedo, wavelengths)
 
@@ -142,12 +162,11 @@ class Ozone(Constituent):
     def __post_init__(self) -> None:
         require_positive("ozone column", self.column)
 
-    def depth(self, wavelengths: ArrayLike) -> np.ndarray:
+    def depth(self, wavelengths: ArrayLike) -> Array:
         """Cross section times column."""
-        depth: np.ndarray = ozone_cross_section(wavelengths) * (DOBSON * self.column)
-        return depth
+        return along(ozone_cross_section(wavelengths) * DOBSON, self.column)
 
-    def scattered(self, wavelengths: ArrayLike) -> np.ndarray:
+    def scattered(self, wavelengths: ArrayLike) -> Array:
         """Nothing."""
         return at(0.0, wavelengths)
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
 
@@ -26,7 +26,11 @@ class PhaseLaw(ABC):
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
 
-    def moments(self, count: int, wavelengths: ArrayLike) -> Array:
+    def mean_cosine(self, wavelengths: Any) -> Array:
+        """The mean cosine of the scattering angle, (W,), or (..., W) where the law's numbers are arrays (...,)."""
+        return self.moments(2, wavelengths)[1]
+
+    def moments(self, count: int, wavelengths: Any) -> Array:
         """Legendre moments 0 .. count - 1 (the first is 1), shape (count, W), by quadrature in the angle."""
         t, w = gauss_legendre(max(512, 4 * count))
         cosine = np.cos(np.pi * t)
@@ -55,7 +59,7 @@ class Rayleigh(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Chandrasekhar's generalised form, the same for all wavelengths."""
-        return spread(rayleigh(np.asarray(cosine), self.depolarisation), wavelengths)
+        return spread(rayleigh(floating(cosine), self.depolarisation), wavelengths)
 
 
 @dataclass(frozen=True)
@@ -66,7 +70,7 @@ class HenyeyGreenstein(PhaseLaw):
     True
     """
 
-    asymmetries: tuple[float, ...] = (0.76,)
+    asymmetries: tuple[Any, ...] = (0.76,)
     weights: tuple[float, ...] = (1.0,)
 
     def __post_init__(self) -> None:
@@ -75,7 +79,7 @@ class HenyeyGreenstein(PhaseLaw):
                 f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
             )
         for g in self.asymmetries:
-            if not -1 < g < 1:
+            if is_concrete(g) and not (np.abs(as_numpy(g)) < 1).all():
                 raise ValueError(f"asymmetry must lie in (-1, 1), got {g}")
         if not (min(self.weights) >= 0 and sum(self.weights) > 0):
             raise ValueError(f"weights must not be negative, nor all 0, got {self.weights}")
@@ -88,9 +92,16 @@ class HenyeyGreenstein(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The lobes' sum, the same for all wavelengths."""
-        cosine = np.asarray(cosine, dtype=np.float64)[..., None]
-        lobes = henyey_greenstein(cosine, np.asarray(self.asymmetries)) @ self.shares
-        return spread(lobes, wavelengths)
+        cosine = floating(cosine)
+        lobes = [
+            float(part) * henyey_greenstein(cosine, g) for g, part in zip(self.asymmetries, self.shares, strict=True)
+        ]
+        return spread(sum(lobes[1:], lobes[0]), wavelengths)
+
+    def mean_cosine(self, wavelengths: Any) -> Array:
+        """The sum of the lobes' g."""
+        means = [float(part) * floating(g) for g, part in zip(self.asymmetries, self.shares, strict=True)]
+        return spread(sum(means[1:], means[0]), wavelengths)
 
     def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """The sum of g^n, exact."""
@@ -110,7 +121,7 @@ class CornetteShanks(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The same for all wavelengths."""
-        return spread(cornette_shanks(np.asarray(cosine, dtype=np.float64), self.asymmetry), wavelengths)
+        return spread(cornette_shanks(floating(cosine), self.asymmetry), wavelengths)
 
 
 @dataclass(frozen=True)
@@ -121,8 +132,7 @@ class Haze(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Interpolated in angle and wavelength."""
-        values: np.ndarray = haze(np.asarray(cosine, dtype=np.float64), wavelengths)
-        return values
+        return haze(floating(cosine), wavelengths)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -176,4 +186,5 @@ class LegendreSeries(PhaseLaw):
 
 def spread(values: np.ndarray, wavelengths: ArrayLike) -> Array:
     """Values (...,) repeated for each of the wavelengths, (..., W)."""
-    return np.repeat(np.asarray(values)[..., None], np.size(wavelengths), axis=-1)
+    values = floating(values)
+    return values[..., None] * constant(np.ones(np.size(wavelengths)), values)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array
+from skydome.ground.tables import columns
 
 
 class Profile(ABC):
@@ -19,6 +20,12 @@ class Profile(ABC):
     @abstractmethod
     def above(self, heights: ArrayLike) -> Array:
         """The part of the column above heights, 1 at the ground, dimensionless."""
+
+    @property
+    def mean_height(self) -> float:
+        """Mean height of the column, m, up to 200 km."""
+        heights = np.linspace(0.0, 2e5, 4001)
+        return float(np.trapezoid(self.above(heights), heights))
 
 
 @dataclass(frozen=True)
@@ -94,3 +101,18 @@ class Tabulated(Profile):
 
 OZONE_LAYER = Tabulated((10_000.0, 25_000.0, 40_000.0), (0.0, 1.0, 0.0))
 """A tent from 10 to 40 km with its top at 25 km: a plain picture of the ozone layer at middle latitudes."""
+
+STRATOSPHERIC_LAYER = Tabulated((12_000.0, 17_000.0, 21_000.0, 28_000.0), (0.0, 1.0, 1.0, 0.0))
+"""The background aerosol of the stratosphere: even from 17 to 21 km, gone below 12 and above 28 km; a plain picture."""
+
+
+def standard_1976() -> Tabulated:
+    """Density of the US Standard Atmosphere 1976 (NOAA, table 1), geometric heights; exponential between its rows."""
+    table = columns("us_standard_atmosphere_1976")
+    heights = np.concatenate([np.linspace(0, 30, 121), np.linspace(30, 100, 141)[1:]])
+    density = np.exp(np.interp(heights, table["height_km"], np.log(table["density"])))
+    return Tabulated(tuple((heights * 1000).tolist()), tuple(density.tolist()))
+
+
+STANDARD_1976 = standard_1976()
+"""The molecules' profile: 10 km up a third of the ground's density, 50 km up a thousandth."""

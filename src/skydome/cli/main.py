@@ -46,13 +46,40 @@ class Commands(TyperGroup):
             code = super().main(*arguments, **(choices | {"standalone_mode": False}))
         except KeyboardInterrupt:
             code = INTERRUPTED
-        except (ValueError, TypeError, OSError, MemoryError, ImportError) as error:
+        except MemoryError as error:
+            code = complain(memory_sentence(error))
+        except OSError as error:
+            code = complain(file_sentence(error))
+        except (ValueError, TypeError, ImportError) as error:
             code = complain(str(error) or type(error).__name__)
         except Exception as error:
             if not hasattr(error, "format_message"):  # typer's own say what is wrong with the line
                 raise
             code = complain(error.format_message())
         sys.exit(code if isinstance(code, int) else 0)
+
+
+def memory_sentence(error: MemoryError) -> str:
+    """What to say where memory does not suffice.
+
+    >>> memory_sentence(MemoryError("Unable to allocate 224. GiB for an array with shape (100000, 200000, 3)"))
+    'this needs more memory than there is, 224. GiB more at once; ask for fewer pixels, directions, hours or cells'
+    """
+    asked = str(error).removeprefix("Unable to allocate ").split(" for ")[0]
+    size = f", {asked} more at once" if asked else ""
+    return f"this needs more memory than there is{size}; ask for fewer pixels, directions, hours or cells"
+
+
+def file_sentence(error: OSError) -> str:
+    """What to say of a file that could not be read or written.
+
+    >>> file_sentence(FileNotFoundError(2, "No such file or directory", "sky.exr"))
+    'sky.exr: no such file or directory'
+    """
+    if error.strerror is None:
+        return str(error) or type(error).__name__
+    where = "" if error.filename is None else f"{error.filename}: "
+    return where + error.strerror[:1].lower() + error.strerror[1:]
 
 
 def complain(message: str) -> int:

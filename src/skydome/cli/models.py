@@ -8,7 +8,7 @@ from skydome.cli.options import SkyOptions, numbers, option_name, relative_error
 if TYPE_CHECKING:
     from skydome.cli.moment import Moment
     from skydome.skies.formula.level import UsualLevel
-    from skydome.skies.models import Model
+    from skydome.skies.model import Model
     from skydome.skies.sky import Sky
 
 LEVELS = ("zenith_luminance", "illuminance")
@@ -21,7 +21,7 @@ OPTIONAL = (
 
 def turbidity_of(options: SkyOptions) -> float:
     """The turbidity given, or the usual one."""
-    from skydome.skies.models import USUAL
+    from skydome.skies.model import USUAL
 
     return USUAL["turbidity"] if options.turbidity is None else options.turbidity
 
@@ -43,7 +43,7 @@ def refuse_what_it_does_not_take(model: "Model", options: SkyOptions) -> None:
 
 def given_parameters(model: "Model", options: SkyOptions) -> dict[str, Any]:
     """The options that are the model's parameters, by name; ValueError for one that is missing."""
-    from skydome.skies.models import USUAL
+    from skydome.skies.model import USUAL
 
     given = {name: getattr(options, name, None) for name in model.takes} | set_by_name(options.set)
     if "a" in model.takes:

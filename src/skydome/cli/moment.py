@@ -13,14 +13,15 @@ TWILIGHTS = ((-6, "civil twilight"), (-12, "nautical twilight"), (-18, "astronom
 """Lowest elevation of the sun, degrees, of each, and its name."""
 
 
-def place_text(latitude: float, longitude: float, altitude: float) -> str:
+def place_text(latitude: float, longitude: float, altitude: float | None = None) -> str:
     """A place as people write it.
 
     >>> place_text(-33.9, 151.2, 20.0)
     '33.9° S, 151.2° E, 20 m'
     """
     north, east = "S" if latitude < 0 else "N", "W" if longitude < 0 else "E"
-    return f"{abs(latitude):g}° {north}, {abs(longitude):g}° {east}, {altitude:g} m"
+    where = f"{abs(latitude):g}° {north}, {abs(longitude):g}° {east}"
+    return where if altitude is None else f"{where}, {altitude:g} m"
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,7 @@ def pointing(text: str, option: str) -> Any:
     azimuth, elevation = numbers(text, 2, option, "180,30 (azimuth,elevation in degrees)")
     if not -90 <= elevation <= 90:
         raise ValueError(f"the elevation of {option} must lie in [-90, 90] degrees, got {elevation:g}")
-    return sd.direction(azimuth=azimuth * sd.deg, elevation=elevation * sd.deg)
+    return sd.direction(azimuth=azimuth % 360 * sd.deg, elevation=elevation * sd.deg)
 
 
 def aware_time(text: str | None, zone: str | None) -> datetime:

@@ -42,17 +42,20 @@ class SunOptions:
     ] = False
 
 
+ModelName = Annotated[
+    str,
+    Option(
+        help="A sky model (`skydome models` lists them), or a network of your own: net.safetensors.",
+        rich_help_panel=AIR,
+    ),
+]
+
+
 @dataclass(frozen=True)
 class SkyOptions(SunOptions):
     """A sky: the sun, the model and its parameters. None: not given."""
 
-    model: Annotated[
-        str,
-        Option(
-            help="A sky model (`skydome models` lists them), or a network of your own: net.safetensors.",
-            rich_help_panel=AIR,
-        ),
-    ] = "hosek-wilkie"
+    model: ModelName = "hosek-wilkie"
     turbidity: Annotated[
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
     ] = None
@@ -114,6 +117,13 @@ class SkyOptions(SunOptions):
     chromaticity: Annotated[
         str | None, Option(metavar="X,Y", help="CIE x, y. [default: D65, 0.3127,0.3290]", rich_help_panel=LEVEL)
     ] = None
+
+
+@dataclass(frozen=True)
+class LandOptions(SkyOptions):
+    """A sky over land: by default the physical one, of whose air the haze is made too."""
+
+    model: ModelName = "discrete-ordinates"
 
 
 Chosen = TypeVar("Chosen", bound=SunOptions)

@@ -9,7 +9,7 @@ from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
     from skydome.skies.colour_sky import ColourSky
-    from skydome.skies.models import Model
+    from skydome.skies.model import Model
     from skydome.skies.sky import Sky
     from skydome.skies.suns.sun_disc import SunDisc
 

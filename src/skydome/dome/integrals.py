@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, at_least, constant, floating, is_array, namespace
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import Array, Constant, at_least, constant, floating, is_array, namespace
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
@@ -26,6 +27,7 @@ def projected(normals: Array, like: Array) -> tuple[np.ndarray, Array]:
 
 def discs_and_rest(sky: Sky) -> tuple[list[tuple[SunDisc, Any]], list[Sky]]:
     """The sun's discs in a sum of skies, each with the factor it was multiplied by, and the other parts."""
+    require_kind(sky, Sky, "sky", "Preetham(sun, turbidity=3.0)")
     discs: list[tuple[SunDisc, Any]] = []
     rest: list[Sky] = []
     for part in sky.parts:
@@ -45,7 +47,7 @@ def own_array(value: Any) -> Any:
         )
     if isinstance(value, tuple | list):
         return next((found for item in value if (found := own_array(item)) is not None), None)
-    return floating(value) if is_array(value) and not isinstance(value, np.generic) else None
+    return floating(value) if is_array(value) and not isinstance(value, np.generic | Constant) else None
 
 
 def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:
@@ -82,10 +84,7 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
 
 def planes(sky: Sky, normal: Any) -> tuple[Array, bool]:
     """Normals (M, 3) in the sky's own library where the default is asked for, and whether there is one alone."""
-    like = own_array(sky)
-    if normal is ZENITH and like is not None:
-        normal = constant(ZENITH, like)
-    normal = checked_directions(normal, "normal")
+    normal = checked_directions(normal, "normal", like=own_array(sky))
     single = normal.ndim == 1
     return (normal[None, :] if single else normal), single
 

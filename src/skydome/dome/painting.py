@@ -59,6 +59,7 @@ def paint_rows(
 
 def source_of(sky: Sky, space: RGBSpace, texels: int) -> Source:
     """A sky ready to be painted; `texels` of the whole float32 map, 0 for float64, which takes no network's numbers."""
+    sky = sky.for_maps
     light = rgb_light(sky, space)
     if light is not None:
         return sky, light, chosen(3 * texels // 2, light.coefficients) if texels else None

@@ -9,9 +9,10 @@ import numpy as np
 from skydome.air.atmosphere import DARK_GREEN, Atmosphere
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.evaluation.evaluation import SkyOf
+from skydome.skies.all_air.taught_air import TAUGHT
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.models import AirModel, Model, TracedModel
+from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
 
@@ -78,7 +79,9 @@ TURBIDITY = 2.5
 def of_air(model: AirModel) -> EvaluatedModel:
     """A sky of the catalogue in plain air; what is noisy is not fitted."""
     kind: Any = model.kind
-    limits = {} if isinstance(model, TracedModel) else PLAIN_LIMITS
+    taught = {"asymmetry": (TAUGHT["asymmetry"].low, TAUGHT["asymmetry"].high)}
+    limits = PLAIN_LIMITS | (taught if isinstance(model, PhysicalModel) else {})
+    limits = {} if isinstance(model, TracedModel) else limits
     return EvaluatedModel(
         model.name,
         lambda sun, depth, asymmetry, distance: kind(sun, plain_air(depth, asymmetry, distance)),

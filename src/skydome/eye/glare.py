@@ -14,6 +14,7 @@ from skydome.eye.glow import Glow
 from skydome.eye.linked_groups import linked_pixels
 from skydome.eye.point_spread import AGES, stiles_holladay
 from skydome.eye.view import HalfSphere
+from skydome.ground.arguments import require_kind
 from skydome.ground.directions import angle_between
 from skydome.ground.extras import required
 from skydome.ground.units import deg
@@ -171,6 +172,7 @@ def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: fl
     required("scipy", "eye", "glare")
     if side < 100:
         raise ValueError(f"side of the round picture must be at least 100 pixels, got {side}")
+    require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
     frame, weights = HalfSphere(azimuth, elevation, side), environment.space.to_xyz[1]
     calm, suns = without_sources(environment)
     luminance = frame.seen(calm) @ weights

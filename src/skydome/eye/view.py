@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.directions import direction
+from skydome.ground.directions import checked_elevation, checked_turn, direction, in_degrees
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
@@ -33,8 +33,10 @@ class Frame(ABC):
     def __post_init__(self) -> None:
         if not math.isfinite(self.azimuth):
             raise ValueError(f"azimuth of a view must be finite radians, got {self.azimuth}")
-        if not abs(self.elevation) <= math.pi / 2 + 1e-12:
-            raise ValueError(f"elevation of a view must lie in [-90, 90] degrees, got {self.elevation / deg:g}")
+        if not math.isfinite(self.elevation):
+            raise ValueError(f"elevation of a view must be finite radians, got {self.elevation}")
+        checked_turn(self.azimuth, "azimuth of a view")
+        checked_elevation(self.elevation, "elevation of a view")
 
     @property
     def forward(self) -> np.ndarray:
@@ -136,7 +138,7 @@ class Camera(Frame):
         if not (1 <= columns <= PIXELS and 1 <= rows <= PIXELS):
             raise ValueError(f"a picture must have 1 to {PIXELS} pixels a side, got {columns} x {rows}")
         if not 0 < self.field_of_view < 170 * deg:
-            raise ValueError(f"the field of view must lie in (0, 170) degrees, got {self.field_of_view / deg:g}")
+            raise ValueError(f"the field of view must lie in (0, 170) degrees, got {in_degrees(self.field_of_view)}")
         if not (math.isfinite(self.east) and math.isfinite(self.north)):
             raise ValueError(f"the camera's place must be finite, got {self.east:g}, {self.north:g}")
         if not 0 < self.above_ground < 1e5:

@@ -25,15 +25,56 @@ What is converted on arrival, and may be a number or a list too, is `numpy.typin
 """
 
 
+class Constant(np.ndarray):
+    """A NumPy array of constants: it cannot be written to, and goes along with any library, as bare numbers do.
+
+    What is computed from it is a plain array.
+
+    >>> up = Constant.of([0.0, 0.0, 1.0])
+    >>> type(2 * up).__name__, up.flags.writeable
+    ('ndarray', False)
+    """
+
+    @classmethod
+    def of(cls, values: Any) -> "Constant":
+        """The constants of floating `values`, whole numbers or numbers."""
+        held = np.array(values).view(cls)
+        held.flags.writeable = False
+        return held
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **named: Any) -> Any:
+        """What NumPy computes of plain arrays."""
+        if "out" in named:
+            named["out"] = tuple(map(without_class, named["out"]))
+        return getattr(ufunc, method)(*map(without_class, inputs), **named)
+
+    def __repr__(self) -> str:
+        return repr(np.asarray(self))
+
+
+def without_class(value: Any) -> Any:
+    """The same numbers as a plain array, where they are a constant."""
+    return np.asarray(value) if isinstance(value, Constant) else value
+
+
 def is_numpy(value: object) -> bool:
-    """True for what NumPy can hold without another library: arrays, numbers, lists."""
-    return value is None or isinstance(value, HELD_BY_NUMPY)
+    """True for what NumPy can hold without another library: arrays, numbers, lists; and arrays with labels."""
+    return value is None or isinstance(value, HELD_BY_NUMPY) or is_labelled(value)
+
+
+def is_labelled(value: object) -> bool:
+    """True for a Series, DataFrame or Index of pandas, or a DataArray of xarray."""
+    pandas, xarray = sys.modules.get("pandas"), sys.modules.get("xarray")
+    if pandas is not None and isinstance(value, pandas.Series | pandas.DataFrame | pandas.Index):
+        return True
+    return xarray is not None and isinstance(value, xarray.DataArray)
 
 
 def namespace(*values: Any) -> Any:
     """The array namespace that all of `values` share: numpy itself, or torch's or JAX's (array-api-compat).
 
-    Python numbers and lists go along with any library. TypeError where two libraries are mixed.
+    Python numbers, lists and constants go along with any library; arrays with labels (pandas, xarray) are NumPy's.
+    TypeError where two libraries are mixed.
 
     >>> namespace(1.0, [2.0]).__name__
     'numpy'
@@ -41,7 +82,7 @@ def namespace(*values: Any) -> Any:
     foreign = [value for value in values if not is_numpy(value)]
     if not foreign:
         return np
-    own = [value for value in values if isinstance(value, np.ndarray)]
+    own = [value for value in values if isinstance(value, np.ndarray) and not isinstance(value, Constant)]
     if not own and all(is_torch(value) for value in foreign):
         from array_api_compat import torch
 
@@ -49,6 +90,9 @@ def namespace(*values: Any) -> Any:
         return torch
     import array_api_compat
 
+    for value in foreign:
+        if not array_api_compat.is_array_api_obj(value):
+            raise TypeError(f"expected an array or a number, got {type(value).__name__} {str(value)[:40]!r}")
     libraries = sorted({type(value).__module__.split(".")[0] for value in foreign + own})
     try:
         return array_api_compat.array_namespace(*foreign, *own)
@@ -71,8 +115,8 @@ def require_one_device(tensors: list[Any]) -> None:
 
 
 def is_number(value: object) -> bool:
-    """True for a bare number, or a list of them, that has no dtype of its own to keep."""
-    return isinstance(value, WITHOUT_DTYPE)
+    """True for a bare number, a list of them, or a constant, that has no dtype of its own to keep."""
+    return isinstance(value, (*WITHOUT_DTYPE, Constant))
 
 
 def is_array(value: object) -> bool:

@@ -1,28 +1,48 @@
 """Directions: unit vectors in the frame x east, y north, z up, that point toward the light."""
 
+from warnings import warn
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, at_least, constant, floating, is_concrete, limited, namespace, safe_sqrt
+from skydome.ground.arrays import (
+    Array,
+    Constant,
+    as_numpy,
+    at_least,
+    constant,
+    floating,
+    is_concrete,
+    limited,
+    namespace,
+    safe_sqrt,
+)
+from skydome.ground.units import deg
 
-ZENITH = np.array([0.0, 0.0, 1.0])
+ZENITH: np.ndarray = Constant.of([0.0, 0.0, 1.0])
 """Straight up, (0, 0, 1)."""
 
-NORTH = np.array([0.0, 1.0, 0.0])
+NORTH: np.ndarray = Constant.of([0.0, 1.0, 0.0])
 """North on the horizon, (0, 1, 0)."""
 
-EAST = np.array([1.0, 0.0, 0.0])
+EAST: np.ndarray = Constant.of([1.0, 0.0, 0.0])
 """East on the horizon, (1, 0, 0)."""
 
-SOUTH = -NORTH
+SOUTH: np.ndarray = Constant.of(-NORTH)
 """South on the horizon, (0, -1, 0)."""
 
-WEST = -EAST
+WEST: np.ndarray = Constant.of(-EAST)
 """West on the horizon, (-1, 0, 0)."""
+
+ROUNDED = 1e-6
+"""How far an angle may lie beyond its limit: by rounding, in float32 too."""
 
 
 def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     """Unit vectors toward azimuth (clockwise from north) and elevation, radians; shape (..., 3).
+
+    ValueError for an elevation beyond the zenith or nadir, UserWarning for an azimuth of more than two turns: degrees
+    are written `45 * deg`.
 
     >>> from skydome import deg
     >>> direction(azimuth=90 * deg, elevation=0.0).round(12).tolist()
@@ -30,10 +50,55 @@ def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     """
     xp = namespace(azimuth, elevation)
     azimuth = floating(azimuth, like=elevation)
-    elevation = floating(elevation, like=azimuth)
+    elevation = checked_elevation(floating(elevation, like=azimuth), "elevation")
+    azimuth = checked_turn(azimuth, "azimuth")
     level = xp.cos(elevation)
     parts = xp.broadcast_arrays(xp.sin(azimuth) * level, xp.cos(azimuth) * level, xp.sin(elevation))
     return xp.stack(list(parts), axis=-1)
+
+
+def in_degrees(angle: float) -> str:
+    """An angle, radians, in degrees for a message; with a hint where degrees were meant, as is likely beyond pi.
+
+    >>> in_degrees(1.6), in_degrees(45)
+    ('91.6732', '2578.31 (45 radians; degrees are written 45 * deg)')
+    """
+    hint = f" ({angle:g} radians; degrees are written {angle:g} * deg)" if abs(angle) > np.pi else ""
+    return f"{angle / deg:g}{hint}"
+
+
+def checked_elevation(angle: ArrayLike, name: str) -> Array:
+    """The elevation, radians, as a floating array; ValueError where it lies beyond the zenith or the nadir.
+
+    NaN is let through: no direction that is made of it is taken anywhere.
+
+    >>> checked_elevation(45, "elevation")
+    Traceback (most recent call last):
+    ValueError: elevation must lie in [-90, 90] degrees, got 2578.31 (45 radians; degrees are written 45 * deg)
+    """
+    angle = floating(angle)
+    if is_concrete(angle):
+        values = as_numpy(angle)
+        wrong = abs(values) > np.pi / 2 + ROUNDED
+        if wrong.any():
+            raise ValueError(f"{name} must lie in [-90, 90] degrees, got {in_degrees(float(values[wrong].flat[0]))}")
+    return angle
+
+
+def checked_turn(angle: ArrayLike, name: str) -> Array:
+    """The angle about the vertical, radians, as a floating array; UserWarning where it exceeds two turns either way.
+
+    >>> float(checked_turn(1.5, "azimuth"))
+    1.5
+    """
+    angle = floating(angle)
+    if is_concrete(angle):
+        values = as_numpy(angle)
+        wrong = abs(values) > 4 * np.pi + ROUNDED
+        if wrong.any():
+            got = in_degrees(float(values[wrong].flat[0]))
+            warn(f"{name} is more than two turns, {got}", stacklevel=3)
+    return angle
 
 
 def azimuth(directions: Array) -> Array:
@@ -85,7 +150,7 @@ def angle_between(a: Array, b: Array) -> Array:
     0.5
     """
     xp = namespace(a, b)
-    hav = limited(half_chord_squared(floating(a), floating(b)), 0.0, 1.0)
+    hav = limited(half_chord_squared(floating(a, like=b), floating(b, like=a)), 0.0, 1.0)
     return 2 * xp.atan2(safe_sqrt(hav), safe_sqrt(1 - hav))
 
 
@@ -133,9 +198,12 @@ def unit(vectors: Array) -> Array:
     return v / length
 
 
-def checked_directions(directions: ArrayLike, name: str = "directions") -> Array:
-    """The directions as a floating array (..., 3); ValueError for shape, NaN, or a length off 1 by more than 1e-3."""
-    v = floating(directions)
+def checked_directions(directions: ArrayLike, name: str = "directions", like: object = None) -> Array:
+    """The directions as a floating array (..., 3); ValueError for shape, NaN, or a length off 1 by more than 1e-3.
+
+    Numbers and constants take dtype, library and device of the array `like`.
+    """
+    v = floating(directions, like=like)
     xp = namespace(v)
     if v.ndim == 0 or v.shape[-1] != 3:
         raise ValueError(f"{name} must have shape (..., 3), got {tuple(v.shape)}")
@@ -150,7 +218,7 @@ def checked_directions(directions: ArrayLike, name: str = "directions") -> Array
 def rotate_about_vertical(directions: Array, angle: ArrayLike) -> Array:
     """Directions turned clockwise (seen from above) by `angle` radians: azimuth grows by it. Shape (..., 3)."""
     xp = namespace(directions, angle)
-    angle = floating(angle, like=directions)
+    angle = checked_turn(floating(angle, like=directions), "angle")
     c, s = xp.cos(angle), xp.sin(angle)
     x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
     parts = xp.broadcast_arrays(c * x + s * y, c * y - s * x, z)

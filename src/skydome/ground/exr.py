@@ -3,11 +3,11 @@
 import math
 from collections.abc import Mapping
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.writing import appearing
 
 MAGIC = b"\x76\x2f\x31\x01"
@@ -68,7 +68,7 @@ def header(path: str | PathLike[str]) -> dict[str, Any]:
     """
     import OpenEXR
 
-    with Path(path).open("rb") as file:
+    with require_file(path, "a map").open("rb") as file:
         if file.read(len(MAGIC)) != MAGIC:
             raise ValueError(f"expected an OpenEXR file, got {path}")
     try:

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.writing import appearing
 
 MAX_BYTES = 1 << 31
@@ -81,8 +82,9 @@ def read(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.ndar
 
     ValueError with one line for a file that is no such picture, ends early, is XYZE or turned, or is above `max_bytes`.
     """
-    if Path(path).stat().st_size > max_bytes:
-        raise ValueError(f"a picture must take at most {max_bytes} bytes, got {Path(path).stat().st_size} in {path}")
+    size = require_file(path, "a map").stat().st_size
+    if size > max_bytes:
+        raise ValueError(f"a picture must take at most {max_bytes} bytes, got {size} in {path}")
     data = Path(path).read_bytes()
     stated, (rows, columns), start = parsed_header(data, path)
     if rows * columns * 12 > max_bytes:
@@ -97,7 +99,7 @@ def read(path: str | PathLike[str], max_bytes: int = MAX_BYTES) -> tuple[np.ndar
 
 def header(path: str | PathLike[str]) -> tuple[dict[str, str], tuple[int, int]]:
     """The header of a Radiance picture by name, and its rows and columns; its scanlines are not read."""
-    with Path(path).open("rb") as file:
+    with require_file(path, "a map").open("rb") as file:
         stated, size, _ = parsed_header(file.read(MAX_HEADER + 200), path)
     return stated, size
 

@@ -2,6 +2,7 @@
 
 - aerial_perspective  The colour of distance: what air takes from the light of a far object, and what light it adds
 - light               The light that gas and haze at the ground scatter toward a viewer
+- horizon_light       The light of the sky's own horizon as the limit of haze
 - integrals           The integrals of aerial perspective, extinction along a ray
 - channels            The channels in which aerial perspective is computed: wavelengths, or red, green and blue
 - fast                The tables that the Numba kernel of aerial perspective reads

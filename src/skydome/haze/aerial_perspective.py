@@ -13,7 +13,8 @@ from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
-from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, optical_depth
+from skydome.haze.horizon_light import HorizonLight, horizon_directions
+from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities, optical_depth
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.sky import Sky, combine
@@ -26,9 +27,6 @@ MANY_PIXELS = 10_000
 
 KEPT_TURBIDITY = 2.0
 """The turbidity at which scattered light is kept; that of haze is proportional to its concentration."""
-
-LOWEST, FARTHEST = -5000.0, 1e9
-"""Least height of a viewer above the ground to which the turbidity belongs, m, and largest height and distance."""
 
 
 class AerialPerspective(NamedTuple):
@@ -51,7 +49,8 @@ class AerialPerspective(NamedTuple):
 class AirLight:
     """The air of one sky, ready for many rays. See `aerial_perspective` for the parameters.
 
-    `height` is measured above the ground to which `turbidity` belongs.
+    `height` is measured above the ground to which `turbidity` belongs. `meets_horizon`: scattered light is scaled, by
+    azimuth and channel, until an endless level ray takes the light of the sky's horizon behind it.
 
     >>> import skydome as sd
     >>> air = AirLight(sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0))
@@ -65,6 +64,7 @@ class AirLight:
     turbidity: Any = None
     ground_albedo: float = 0.0
     method: Integration = field(default_factory=FewNodes)
+    meets_horizon: bool = False
 
     def __post_init__(self) -> None:
         """Validate only."""
@@ -77,12 +77,19 @@ class AirLight:
             raise TypeError(f"method must be an Integration such as FewNodes(), got {type(self.method).__name__}")
         if self.wavelengths is not None:
             Wavelengths(checked_wavelengths(self.wavelengths))
-        _ = self.haze_turbidity
+        if np.ndim(self.haze_turbidity) and self.meets_horizon:
+            raise ValueError(f"meets_horizon needs one turbidity, got shape {np.shape(self.haze_turbidity)}")
 
     @cached_property
     def parts(self) -> tuple[list[Any], list[Sky]]:
         """The sun's discs with their factors, and the other parts of the sky."""
         return discs_and_rest(self.sky)
+
+    @property
+    def without_disc(self) -> Sky:
+        """The sky without the sun's disc."""
+        rest = self.parts[1]
+        return rest[0] if len(rest) == 1 else combine(rest, [1.0] * len(rest))
 
     @cached_property
     def channels(self) -> Wavelengths | RedGreenBlue:
@@ -127,9 +134,7 @@ class AirLight:
     def sky_sources(self) -> Sources:
         """The sky's light by direction, and the ground's if it has an albedo."""
         directions, solid_angles = sky_nodes()
-        nodes = constant(directions, self.like)
-        rest = self.parts[1]
-        light = self.channels.sky_light(rest[0] if len(rest) == 1 else combine(rest, [1.0] * len(rest)), nodes)
+        light = self.channels.sky_light(self.without_disc, constant(directions, self.like))
         if self.ground_albedo > 0:
             flux = constant(solid_angles * directions[:, 2], light) @ light + self.sun_flux
             directions, light, solid_angles = with_ground(directions, light, solid_angles, flux * self.ground_albedo)
@@ -140,7 +145,7 @@ class AirLight:
     @cached_property
     def sun_flux(self) -> Array:
         """What the sun's discs send to level ground, in the channels of the sky's light; 0 without a disc."""
-        return sum(self.channels.sun_light(disc) * (disc.sun[..., 2] * weight) for disc, weight in self.parts[0])
+        return sum(self.channels.sun_beside(d, self.without_disc) * (d.sun[..., 2] * w) for d, w in self.parts[0])
 
     @cached_property
     def sun_sources(self) -> list[Sources]:
@@ -165,10 +170,19 @@ class AirLight:
             self.coefficients(np.zeros(1)), float(as_numpy(self.haze_scale)), self.table, self.sun_sources
         )
 
+    @cached_property
+    def horizon(self) -> HorizonLight:
+        """The sky's light at its horizon, and what level air scatters before it."""
+        around = constant(horizon_directions(), self.like)
+        return HorizonLight(self.channels.seen_light(self.without_disc, around), *self.scattered(around))
+
+    def factor(self, views: Array, height: Array) -> Array:
+        """By what the scattered light toward views (..., 3) is multiplied, (..., C); see `meets_horizon`."""
+        return self.horizon.factor(views, densities(height), self.coefficients(views))
+
     def scattered(self, views: Array) -> tuple[Array, Array]:
         """S1 and S2 at the ground along views (..., 3), light per metre, each (..., C) (eq. 8)."""
-        many = views.size > 3 * MANY if is_numpy(views) else False
-        haze, gas = self.table.toward(views) if many else self.sky_sources.toward(views)
+        haze, gas = (self.table if is_numpy(views) and views.size > 3 * MANY else self.sky_sources).toward(views)
         for sun in self.sun_sources:
             more = sun.toward(views)
             haze, gas = haze + more[0], gas + more[1]
@@ -181,32 +195,26 @@ class AirLight:
         if is_numpy(direction):
             direction = constant(direction, self.like) if not is_numpy(self.like) else direction
         direction = constant(direction, distance) if not is_numpy(distance) and is_numpy(direction) else direction
-        distance, height = checked(distance, direction, "distance", 0.0), checked(height, direction, "height")
+        distance, height = (
+            checked_metres(distance, direction, "distance", 0.0),
+            checked_metres(height, direction, "height"),
+        )
         if self.takes_kernel(distance, direction, height):
-            return AerialPerspective(*self.fast.at(distance, direction, float(height)))
-        air = self.coefficients(direction)
-        xp = namespace(direction, distance)
-        ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
-        haze, gas = self.scattered(direction)
-        first, second = self.method.integrals(ray, air)
-        return AerialPerspective(xp.exp(-optical_depth(ray, air)), haze * first + gas * second)
+            found = AerialPerspective(*self.fast.at(distance, direction, float(height)))
+        else:
+            air, xp = self.coefficients(direction), namespace(direction, distance)
+            ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
+            haze, gas = self.scattered(direction)
+            first, second = self.method.integrals(ray, air)
+            found = AerialPerspective(xp.exp(-optical_depth(ray, air)), haze * first + gas * second)
+        factor = self.factor(direction, height) if self.meets_horizon else 1.0
+        return found._replace(inscattered=found.inscattered * factor)
 
     def takes_kernel(self, distance: Array, direction: Array, height: Array) -> bool:
         """True for many RGB rays in NumPy, by the default method, from one height."""
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
         large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
         return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
-
-
-def checked(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:
-    """`value`, m, as an array; ValueError where it is below `low`, above FARTHEST or no number."""
-    value = floating(value, like=like)
-    if is_concrete(value):
-        xp = namespace(value)
-        if not bool(xp.all((value >= low) & (value <= FARTHEST))):
-            ends = f"{float(xp.min(value)):g} to {float(xp.max(value)):g}"
-            raise ValueError(f"{name} must lie in [{low:g}, {FARTHEST:g}] m, got {ends}")
-    return value
 
 
 def aerial_perspective(

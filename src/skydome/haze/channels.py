@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from skydome.air.scattering import gas_total, haze_total
-from skydome.ground.arrays import Array, constant
+from skydome.ground.arrays import Array, at_least, constant
 from skydome.haze.light import constant_or_own
-from skydome.light.colour import D65, SRGB, xyz_of_white
+from skydome.light.colour import D65, SRGB, rgb_from_xyz, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
@@ -43,9 +43,17 @@ class Wavelengths:
             raise TypeError(f"{type(sky).__name__} knows no spectrum; leave out wavelengths, or wrap it in Daylight")
         return sky.radiance(directions, self.wavelengths)
 
+    def seen_light(self, sky: Sky, directions: Array) -> Array:
+        """Radiance (N, W), as it is seen."""
+        return self.sky_light(sky, directions)
+
     def sun_light(self, disc: SunDisc) -> Array:
         """Normal irradiance (W,), W m-2 nm-1."""
         return disc.irradiance(self.wavelengths)
+
+    def sun_beside(self, disc: SunDisc, sky: Sky) -> Array:
+        """Normal irradiance in the channels of `sky_light`."""
+        return self.sun_light(disc)
 
     def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
         """Light (..., W) times the coefficients of haze and gas, each (..., W)."""
@@ -91,9 +99,19 @@ class RedGreenBlue:
             return sky.rgb(directions)
         raise TypeError(f"{type(sky).__name__} knows luminance only; give it colour with Daylight(sky)")
 
+    def seen_light(self, sky: Sky, directions: Array) -> Array:
+        """RGB (N, 3) as it is seen, without negative parts; TypeError for a sky without colour."""
+        if not isinstance(sky, ColourSky):
+            raise TypeError(f"{type(sky).__name__} knows luminance only; give it colour with Daylight(sky)")
+        return at_least(sky.rgb(directions), 0.0)
+
     def sun_light(self, disc: SunDisc) -> Array:
         """Normal irradiance (B,), W m-2 nm-1."""
         return disc.irradiance(BANDS)
+
+    def sun_beside(self, disc: SunDisc, sky: Sky) -> Array:
+        """Normal irradiance in the channels of `sky_light` of a sky."""
+        return self.sun_light(disc) if isinstance(sky, SpectralSky) else rgb_from_xyz(disc.normal_xyz)
 
     def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
         """Light (..., B) or (..., 3) times the coefficients of haze and gas, each (..., 3) in RGB."""

@@ -12,17 +12,20 @@ tau by a difference over cos t | by phi(z) = (1 - exp(-z)) / z | exact for level
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
-from skydome.ground.arrays import Array, at_least, constant, namespace, safe_divide
+from skydome.ground.arrays import Array, at_least, constant, floating, is_concrete, namespace, safe_divide
 from skydome.ground.quadrature import gauss_legendre
 
 DEEPEST, DEEPEST_SINGLE = -80.0, -55.0
 """Scale heights below the viewer at which density stops growing, in float64 and float32: so that nothing overflows."""
+
+LOWEST, FARTHEST = -5000.0, 1e9
+"""Least height of a viewer above the ground to which the turbidity belongs, m, and largest height and distance."""
 
 
 class Coefficients(NamedTuple):
@@ -45,8 +48,24 @@ class Ray(NamedTuple):
     @classmethod
     def at(cls, distance: Array, cosine: Array, height: Array) -> "Ray":
         """The ray of a viewer `height` metres above the ground to which the coefficients belong."""
-        xp = namespace(height, distance)
-        return cls(distance, cosine, xp.exp(-HAZE_DECAY * height), xp.exp(-GAS_DECAY * height))
+        return cls(distance, cosine, *densities(height))
+
+
+def densities(height: Array) -> tuple[Array, Array]:
+    """Density of haze and gas at a height, m, relative to the ground's, each of its shape."""
+    xp = namespace(height)
+    return xp.exp(-HAZE_DECAY * height), xp.exp(-GAS_DECAY * height)
+
+
+def checked_metres(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:
+    """`value`, m, as an array; ValueError where it is below `low`, above FARTHEST or no number."""
+    value = floating(value, like=like)
+    if is_concrete(value):
+        xp = namespace(value)
+        if not bool(xp.all((value >= low) & (value <= FARTHEST))):
+            ends = f"{float(xp.min(value)):g} to {float(xp.max(value)):g}"
+            raise ValueError(f"{name} must lie in [{low:g}, {FARTHEST:g}] m, got {ends}")
+    return value
 
 
 def mean_fall(z: Array) -> Array:

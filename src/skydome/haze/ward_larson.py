@@ -6,8 +6,8 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
-from skydome.haze.aerial_perspective import AerialPerspective, AirLight, checked
-from skydome.haze.integrals import Ray, optical_depth
+from skydome.haze.aerial_perspective import AerialPerspective, AirLight
+from skydome.haze.integrals import Ray, checked_metres, optical_depth
 from skydome.haze.light import sky_nodes
 
 KILOMETRE = 1000.0
@@ -50,7 +50,10 @@ class WardLarson:
     def at(self, distance: Array, direction: Array, height: Array = 0.0) -> AerialPerspective:
         """Transmittance and in-scattered light, each (..., C), of rays of `distance` m from `height` m."""
         direction = checked_directions(direction, "direction")
-        distance, height = checked(distance, direction, "distance", 0.0), checked(height, direction, "height")
+        distance, height = (
+            checked_metres(distance, direction, "distance", 0.0),
+            checked_metres(height, direction, "height"),
+        )
         xp = namespace(direction, distance)
         level = direction[..., 2] * 0
         kilometre = xp.zeros_like(level) + KILOMETRE

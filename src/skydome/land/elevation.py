@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.extras import required
 
 
@@ -40,6 +41,7 @@ class Elevation:
 
     def __post_init__(self) -> None:
         """Validate only."""
+        require_kind(self.heights, np.ndarray, "heights", "np.array([[0.0, 10.0], [5.0, 20.0]])")
         if np.ndim(self.heights) != 2 or min(np.shape(self.heights)) < 2:
             raise ValueError(f"heights must have shape (rows, columns) of 2 or more, got {np.shape(self.heights)}")
         if not np.isfinite(self.heights).all():

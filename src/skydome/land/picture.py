@@ -7,13 +7,16 @@ import numpy as np
 
 from skydome.dome.integrals import discs_and_rest
 from skydome.eye.view import Camera
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import as_numpy, constant
 from skydome.ground.compiled import shared
-from skydome.ground.directions import direction, tangent_frame, unit
+from skydome.ground.directions import ZENITH, direction, tangent_frame, unit
 from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import EARTH_RADIUS
 from skydome.haze.aerial_perspective import AirLight
 from skydome.haze.fast import FastTables
+from skydome.haze.horizon_light import HORIZON, horizon_directions
 from skydome.haze.ward_larson import WardLarson
 from skydome.land.elevation import Elevation
 from skydome.land.terrain_picture import TerrainPicture
@@ -32,9 +35,6 @@ MOST_LIT = 100_000
 
 ROWS_AT_A_TIME = 64
 VERTICES_PER_PIECE = 1 << 10
-HORIZON = 1e-4
-"""Sine of the least elevation at which the sky is taken, for pixels that reach below the horizon."""
-
 SUN_POINTS = 4000
 """Points of the sun's disc that are laid onto the picture."""
 
@@ -56,9 +56,9 @@ def render_terrain(
     """The view of a camera on the land under a sky (with the sun's disc added) through `air`; None is a vacuum.
 
     `albedo`: RGB (3,), or an image (h, w, 3) in linear sRGB stretched over the map. `samples` a pixel: a square
-    number. `curvature`: lower the land by the Earth's curve, less refraction. `progress(done, rows)` is called as rows
-    are finished. Beyond the map lies flat ground of the mean albedo at its lowest height, from which `air` measures
-    heights. Needs Numba.
+    number. `curvature`: lower the land, and the ground beyond it, by the Earth's curve, less refraction.
+    `progress(done, rows)` is called as rows are finished. Beyond the map lies ground of the mean albedo at its lowest
+    height, from which `air` measures heights. Needs Numba.
 
     >>> import skydome as sd
     >>> hill, sky = sd.Elevation(np.eye(9), dx=30.0, dy=30.0), sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0)
@@ -69,11 +69,14 @@ def render_terrain(
     from skydome.land.picture_kernel import picture_rows
     from skydome.land.rays_kernel import height_at
 
+    require_kind(elevation, Elevation, "elevation", "Elevation(heights, dx=30.0, dy=30.0) or read_elevation(file)")
+    require_kind(camera, Camera, "camera", "Camera(azimuth=270 * deg)")
     require_samples(samples)
     u, v = place_on(elevation, camera)
     heights = curved(elevation, u, v) if curvature else np.ascontiguousarray(elevation.heights, dtype=np.float64)
-    z, base = height_at(heights, u, v) + camera.above_ground, float(heights.min())
-    ground = (heights, *pyramid_of(heights), float(elevation.dx), float(elevation.dy), base)
+    z, base = height_at(heights, u, v) + camera.above_ground, float(np.min(elevation.heights))
+    bend = 1 / (2 * EARTH_RADIUS * REFRACTION) if curvature else 0.0
+    ground = (heights, *pyramid_of(heights), float(elevation.dx), float(elevation.dy), (base, bend))
     surface = surface_of(albedo, heights.shape)
     sunlight, rest = sun_of(sky), skylight_of(sky)
     lit = lit_slopes(ground, rest, sunlight, surface[3])
@@ -200,8 +203,8 @@ def background_of(sky: Sky, camera: Camera) -> np.ndarray:
     return image
 
 
-def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tuple[np.ndarray, int]:
-    """Skylight on the vertices, RGB (rows, columns, 3), and the stride between them."""
+def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tuple[np.ndarray, int, np.ndarray]:
+    """How skylight on the vertices depends on the normal (see `skylight`), their stride, and what is bounced (3,)."""
     from skydome.land.rays_kernel import skylight
 
     heights, _, _, dx, dy, _ = ground
@@ -209,14 +212,14 @@ def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tup
     level = np.einsum("m,kmc->c", weights * np.sin(elevations), light)
     bounce = albedo * (level + sunlight[3] * max(sunlight[0][2], 0.0))
     stride = max(1, int(np.ceil(np.sqrt(heights.size / MOST_LIT))))
-    found = np.zeros((*((size - 1) // stride + 1 for size in heights.shape), 3))
+    found = np.zeros((*((size - 1) // stride + 1 for size in heights.shape), 9))
     given = (heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found)
     shared(skylight, len(found), found.size, given, VERTICES_PER_PIECE)
-    return found, stride
+    return found, stride, bounce
 
 
-def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.ndarray, np.ndarray, FastTables]:
-    """What the kernel needs to know of the air: its kind, the fog, the densities at the camera, the tables."""
+def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.ndarray, np.ndarray, FastTables, Any]:
+    """What the kernel needs to know of the air: its kind, the fog, the densities at the camera, tables, factors."""
     from skydome.land.picture_kernel import CLEAR, FOG, NOTHING
 
     single, densities = np.float32, np.ones(2, np.float32)
@@ -225,9 +228,21 @@ def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.n
         np.zeros((0, 2, 6), single),
     )  # fmt: skip
     if air is None:
-        return NOTHING, np.zeros(6), densities, empty
+        return NOTHING, np.zeros(6), densities, empty, np.ones((2, 3))
     if isinstance(air, WardLarson):
         tau = np.asarray(air.at(1000.0, np.array([0.0, 1.0, 0.0]), height).transmittance)
-        return FOG, np.concatenate([-np.log(tau) / 1000, np.asarray(air.ambient)]), densities, empty
+        return FOG, np.concatenate([-np.log(tau) / 1000, np.asarray(air.ambient)]), densities, empty, np.ones((2, 3))
     fast = air.fast
-    return CLEAR, np.zeros(6), fast.densities(height), fast.tables
+    return CLEAR, np.zeros(6), fast.densities(height), fast.tables, horizon_factors(air, height)
+
+
+def horizon_factors(air: AirLight, height: float) -> np.ndarray:
+    """By what scattered light is multiplied: around the horizon, closed on itself, and last toward nadir and zenith.
+
+    Shape (TURNS + 2, 3); ones of shape (2, 3) where the air keeps its own limit.
+    """
+    if not air.meets_horizon:
+        return np.ones((2, 3))
+    around = horizon_directions()
+    views = np.concatenate([around, around[:1], [ZENITH]])
+    return np.ascontiguousarray(as_numpy(air.factor(constant(views, air.like), constant(height, air.like))), np.float64)

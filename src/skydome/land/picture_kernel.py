@@ -1,11 +1,13 @@
 # mypy: allow-untyped-defs
 """Rows of a terrain picture: rays, sun and shadows, skylight, and the air before them, compiled.
 
-Tuples that functions share: `ground` is heights, pyramid, levels, dx, dy, base; `camera` u, v, z, forward, right, up
-(scaled to half the frame), width, height; `sunlight` the direction to the sun, two tangents there as long as the disc's
-radius, and irradiance, each (3,); `surface` the albedo image, its texels a cell along rows and columns, and the mean
-(3,), which the ground beyond the map has; `lit` skylight (rows, columns, 3) and the stride of its vertices; `air` the
-kind, the fog (6,), densities (2,) and `haze.fast.FastTables`. Places are u, v in cells and z in metres, directions x, y
+Tuples that functions share: `ground` is heights, pyramid, levels, dx, dy, and of the ground beyond the map its height
+under the camera and how much it bends down, per m of squared distance; `camera` u, v, z, forward, right, up (scaled to
+half the frame), width, height; `sunlight` the direction to the sun, two tangents there as long as the disc's radius,
+and irradiance, each (3,); `surface` the albedo image, its texels a cell along rows and columns, and the mean (3,), that
+of the ground beyond the map; `lit` how skylight depends on the normal (rows, columns, 9), their stride and
+what is bounced (3,); `air` the kind, the fog (6,), densities (2,), `haze.fast.FastTables`, and factors of scattered
+light around the horizon, then toward the zenith (K + 2, 3). Places are u, v in cells and z in metres, directions x, y
 (east, north), z.
 """
 
@@ -16,7 +18,7 @@ import numpy as np
 from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.haze.kernel import along, read_light
-from skydome.land.rays_kernel import lerp3, march, normal_at
+from skydome.land.rays_kernel import lerped, march, normal_at
 
 FARTHEST = 1e9
 """How far flat ground beyond the map is followed, m."""
@@ -44,11 +46,24 @@ def view(camera, row, column, sample, side, key):
 @part
 def reached(ground, camera, x, y, z):
     """Metres to the ground, negative for the sky, and whether it is on the map."""
-    heights, pyramid, levels, dx, dy, base = ground
+    heights, pyramid, levels, dx, dy, beyond = ground
     t = march(heights, pyramid, levels, camera[0], camera[1], camera[2], x / dx, -y / dy, z, FARTHEST)
-    if t < 0.0 and z < -1e-9:
-        return min((camera[2] - base) / -z, FARTHEST), False
-    return t, t >= 0.0
+    if t >= 0.0 or z >= -1e-9:
+        return t, t >= 0.0
+    return to_ground_beyond(camera[2] - beyond[0], beyond[1], z), False
+
+
+@part
+def to_ground_beyond(above, bend, z):
+    """Metres along a ray to the ground beyond the map, `above` m below the eye; -1 where that curves away.
+
+    The first root of above + z t + bend (1 - z^2) t^2 = 0.
+    """
+    curve = bend * (1.0 - z * z)
+    inner = z * z - 4.0 * curve * above
+    if inner < 0.0:
+        return -1.0
+    return min(2.0 * above / (-z + math.sqrt(inner)), FARTHEST)
 
 
 @part
@@ -65,12 +80,11 @@ def point_on_sun(sunlight, key):
 
 
 @part
-def sun_cosine(ground, u, v, z, sunlight, key):
+def sun_cosine(ground, u, v, z, normal, sunlight, key):
     """Cosine between the slope's normal at a place on the map and the sun; 0 in shadow, or turned away."""
     heights, pyramid, levels, dx, dy, _ = ground
-    nx, ny, nz = normal_at(heights, u, v, dx, dy)
     sun = sunlight[0]
-    cosine = nx * sun[0] + ny * sun[1] + nz * sun[2]
+    cosine = normal[0] * sun[0] + normal[1] * sun[1] + normal[2] * sun[2]
     if cosine <= 0.0:
         return 0.0
     x, y, up = point_on_sun(sunlight, key)
@@ -82,30 +96,46 @@ def sun_cosine(ground, u, v, z, sunlight, key):
 def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key, colour, skyward, light):
     """The light of the ground that a ray x, y, z meets at t, before the air dims it, into `light` (3,).
 
-    `colour`, `skyward` (3,): scratch.
+    `colour` (3,), `skyward` (9,): scratch.
     """
     u, v = camera[0] + x / ground[3] * t, camera[1] - y / ground[4] * t
-    cosine = max(sunlight[0][2], 0.0)
+    cosine, normal = max(sunlight[0][2], 0.0), (0.0, 0.0, 1.0)
     colour[0], colour[1], colour[2] = surface[3][0], surface[3][1], surface[3][2]
     if on_map:
-        lerp3(surface[0], v * surface[1], u * surface[2], colour)
-        cosine = sun_cosine(ground, u, v, camera[2] + z * t, sunlight, key)
-    lerp3(lit[0], v / lit[1], u / lit[1], skyward)
+        lerped(surface[0], v * surface[1], u * surface[2], colour)
+        normal = normal_at(ground[0], u, v, ground[3], ground[4])
+        cosine = sun_cosine(ground, u, v, camera[2] + z * t, normal, sunlight, key)
+    lerped(lit[0], v / lit[1], u / lit[1], skyward)
     for c in range(3):
-        light[c] = colour[c] / math.pi * (sunlight[3][c] * cosine + skyward[c])
+        part = normal[0] * skyward[3 * c] + normal[1] * skyward[3 * c + 1] + normal[2] * skyward[3 * c + 2]
+        light[c] = colour[c] / math.pi * (sunlight[3][c] * cosine + max(lit[2][c] + part, 0.0))
+
+
+@part
+def horizon_factor(factors, x, y, z, c):
+    """By what the air's scattered light in channel c is multiplied along a ray."""
+    last = factors.shape[0] - 2
+    place = (math.atan2(x, y) / (2 * math.pi) + 1.0) % 1.0 * last
+    k = min(int(place), last - 1)
+    around = factors[k, c] + (place - k) * (factors[k + 1, c] - factors[k, c])
+    return factors[last + 1, c] + (around - factors[last + 1, c]) * (1.0 - z * z)
 
 
 @part
 def through_air(air, x, y, z, t, scattered, light):
     """Dim and veil `light` (3,), in place, by t metres of air along a ray. `scattered` (6,): scratch."""
-    kind, fog, densities, tables = air
+    kind, fog, densities, tables, factors = air
     if kind == CLEAR:
         coefficients, nodes, table, suns, peak = tables
         read_light(table, suns, peak, real(x), real(y), real(z), scattered)
         t0, t1, t2, h0, h1, h2, g0, g1, g2 = along(real(t), real(z), densities[0], densities[1], coefficients, nodes)
-        light[0] = light[0] * t0 + (scattered[0] * h0 + scattered[3] * g0)
-        light[1] = light[1] * t1 + (scattered[1] * h1 + scattered[4] * g1)
-        light[2] = light[2] * t2 + (scattered[2] * h2 + scattered[5] * g2)
+        f0, f1, f2 = 1.0, 1.0, 1.0
+        if factors.shape[0] > 2:
+            f0, f1, f2 = (horizon_factor(factors, x, y, z, 0), horizon_factor(factors, x, y, z, 1),
+                          horizon_factor(factors, x, y, z, 2))  # fmt: skip
+        light[0] = light[0] * t0 + (scattered[0] * h0 + scattered[3] * g0) * f0
+        light[1] = light[1] * t1 + (scattered[1] * h1 + scattered[4] * g1) * f1
+        light[2] = light[2] * t2 + (scattered[2] * h2 + scattered[5] * g2) * f2
     elif kind == FOG:
         for c in range(3):
             seen = math.exp(-fog[c] * t)
@@ -120,7 +150,7 @@ def picture_rows(first, last, ground, camera, samples, seed, sky, sunlight, lit,
     """
     side, width = int(math.sqrt(samples)), out.shape[1]
     scattered = np.zeros(6, np.float32)
-    colour, skyward, light, total = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
+    colour, skyward, light, total = np.zeros(3), np.zeros(9), np.zeros(3), np.zeros(3)
     for row in range(first, last):
         for column in range(width):
             total[:] = 0.0

@@ -111,10 +111,11 @@ def horizon(heights, i, j, du, dv, cell):
 
 @compiled
 def skylight(first, last, heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found):
-    """Irradiance of rows first...last of the vertices at `stride`, into `found` (rows, columns, 3).
+    """How irradiance depends on the normal at rows first...last of the vertices, into `found` (rows, columns, 9).
 
     By the sky above each one's own skyline: `light` (K, M, 3) is the sky's at azimuths (K,) and elevations (M,);
-    `weights` (M,) include cos e and the sector. `bounce` (3,): what the surroundings send back where they hide it.
+    `weights` (M,) are solid angles. `bounce` (3,): what the surroundings send back where they hide it. Irradiance of a
+    normal n is bounce + n . (three numbers of the channel): exact at the vertex, with its slope, for what it faces.
     """
     cell = min(dx, dy)
     for row in range(first, last):
@@ -122,23 +123,18 @@ def skylight(first, last, heights, dx, dy, stride, azimuths, elevations, weights
         for column in range(found.shape[1]):
             j = min(column * stride, heights.shape[1] - 1)
             nx, ny, nz = normal_at(heights, float(j), float(i), dx, dy)
-            seen, r, g, b = 0.0, 0.0, 0.0, 0.0
+            found[row, column] = 0.0
             for k in range(azimuths.size):
                 sx, sy = math.sin(azimuths[k]), math.cos(azimuths[k])
                 tangent = horizon(heights, i, j, sx * cell / dx, -sy * cell / dy, cell)
                 for m in range(elevations.size):
                     ce, se = math.cos(elevations[m]), math.sin(elevations[m])
-                    cosine = nx * sx * ce + ny * sy * ce + nz * se
-                    if cosine > 0.0 and se > tangent * ce:
-                        w = weights[m] * cosine
-                        seen += w
-                        r += w * light[k, m, 0]
-                        g += w * light[k, m, 1]
-                        b += w * light[k, m, 2]
-            hidden = max(0.0, 1.0 - seen / math.pi)
-            found[row, column, 0] = r + hidden * bounce[0]
-            found[row, column, 1] = g + hidden * bounce[1]
-            found[row, column, 2] = b + hidden * bounce[2]
+                    if nx * sx * ce + ny * sy * ce + nz * se > 0.0 and se > tangent * ce:
+                        for c in range(3):
+                            w = weights[m] * (light[k, m, c] - bounce[c] / math.pi)
+                            found[row, column, 3 * c] += w * sx * ce
+                            found[row, column, 3 * c + 1] += w * sy * ce
+                            found[row, column, 3 * c + 2] += w * se
 
 
 @compiled
@@ -151,12 +147,12 @@ def normal_at(heights, u, v, dx, dy):
 
 
 @compiled
-def lerp3(image, row, column, found):
-    """Three channels of an image at a fractional place, bilinear, held at the rim, into `found`."""
+def lerped(image, row, column, found):
+    """The channels of an image at a fractional place, bilinear, held at the rim, into `found`."""
     v = min(max(row, 0.0), image.shape[0] - 1.000001)
     u = min(max(column, 0.0), image.shape[1] - 1.000001)
     i, j = int(v), int(u)
     a, b = v - i, u - j
-    for c in range(3):
+    for c in range(found.size):
         upper = image[i, j, c] * (1 - b) + image[i, j + 1, c] * b
         found[c] = upper * (1 - a) + (image[i + 1, j, c] * (1 - b) + image[i + 1, j + 1, c] * b) * a

@@ -1,5 +1,6 @@
 """Elevation models from GeoTIFF, .npz and .hgt files."""
 
+import os
 import re
 from os import PathLike
 from pathlib import Path
@@ -7,13 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.land.elevation import Elevation, Extent, without_holes
 
 METRES_A_DEGREE = 111_195.0
-MOST_CELLS = 4_000_000
-"""Larger models are coarsened to about this many cells while they are read."""
+BYTES_A_CELL = 100
+"""What a cell takes while it is read and while a picture is made: heights, copies, what is missing, the pyramid."""
+
+SHARE_OF_MEMORY = 0.25
+"""Of the machine's memory that a model may take; larger models are coarsened while they are read."""
 
 FEET = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us survey foot": 0.3048006, "us-ft": 0.3048006}
 
@@ -25,8 +30,23 @@ def spacing(degrees_x: float, degrees_y: float, latitude: float) -> tuple[float,
     return abs(degrees_x) * METRES_A_DEGREE * float(np.cos(latitude * deg)), abs(degrees_y) * METRES_A_DEGREE
 
 
-def read_elevation(path: str | PathLike[str], vertical_unit: str | None = None, cells: int = MOST_CELLS) -> Elevation:
+def cells_that_fit() -> int:
+    """How many cells of a model go into the machine's memory, at least 4 million: 40 million of 16 GiB."""
+    return max(4_000_000, int(SHARE_OF_MEMORY * memory() / BYTES_A_CELL))
+
+
+def memory() -> int:
+    """Bytes of memory that the machine has; 8 GiB where it does not tell."""
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):
+        return 8 << 30
+
+
+def read_elevation(path: str | PathLike[str], vertical_unit: str | None = None, cells: int | None = None) -> Elevation:
     """The elevation model in a GeoTIFF (needs rasterio), .npz or .hgt file; larger ones are coarsened to `cells`.
+
+    `cells`: as many as go into a quarter of the machine's memory unless given; `notes` say what was done.
 
     `vertical_unit`: "m" or "ft" where the file does not say; metres are taken else. ValueError in one line for files
     without georeference, mostly holes, or no elevation.
@@ -37,15 +57,15 @@ def read_elevation(path: str | PathLike[str], vertical_unit: str | None = None, 
     ...     read_elevation(f"{folder}/hill.npz").heights.shape
     (3, 3)
     """
-    path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"no elevation model at {path}")
+    path = require_file(path, "an elevation model")
     if vertical_unit is not None and vertical_unit.lower() not in {"m", "metre", "metres", *FEET}:
         raise ValueError(f'the vertical unit must be "m" or "ft", got {vertical_unit!r}')
     kinds = {".tif": read_geotiff, ".tiff": read_geotiff, ".npz": read_npz, ".hgt": read_hgt}
     if path.suffix.lower() not in kinds:
         raise ValueError(f"an elevation model must end in {', '.join(kinds)}, got {path.name!r}")
-    return kinds[path.suffix.lower()](path, vertical_unit, cells)
+    if cells is not None and cells < 4:
+        raise ValueError(f"an elevation model must keep 4 cells or more, got {cells}")
+    return kinds[path.suffix.lower()](path, vertical_unit, cells_that_fit() if cells is None else cells)
 
 
 VOIDS = (-32768.0, -32767.0, -9999.0)
@@ -66,11 +86,16 @@ def finished(raw: np.ndarray, hole: np.ndarray, unit: str | None, step: int, kno
         weight = (~hole[:rows, :columns]).reshape(blocks).sum(axis=(1, 3))
         total = np.where(hole, 0.0, raw)[:rows, :columns].reshape(blocks).sum(axis=(1, 3))
         raw, hole = np.where(weight > 0, total / np.maximum(weight, 1), 0.0), weight == 0
-        notes = (f"coarsened {step} times, to {raw.shape[0]} x {raw.shape[1]} cells",)
+        notes = (coarsened(step, raw.shape),)
     heights, filled = without_holes(raw.astype(np.float64), hole)
     notes += filled + (("heights in feet turned into metres",) if scale != 1 else ())
     known = known | {"dx": known["dx"] * step, "dy": known["dy"] * step}
     return Elevation(heights * scale, notes=(*known.pop("notes", ()), *notes), **known)
+
+
+def coarsened(step: int, shape: tuple[int, ...]) -> str:
+    """What to say of a model that was coarsened to a shape."""
+    return f"coarsened {step} times, to {shape[0]} x {shape[1]} cells, which fit into memory or were asked for"
 
 
 def step_for(rows: int, columns: int, cells: int) -> int:
@@ -107,7 +132,7 @@ def read_geotiff(path: Path, unit: str | None, cells: int) -> Elevation:
             band = source.read(1, out_shape=shape, masked=True, resampling=rasterio.enums.Resampling.average)
             hole = np.ma.getmaskarray(band) | ~np.isfinite(band.filled(0).astype(np.float64))
             middle = source.xy(source.height // 2, source.width // 2)
-            notes = (f"coarsened {step} times, to {shape[0]} x {shape[1]} cells",) if step > 1 else ()
+            notes = (coarsened(step, shape),) if step > 1 else ()
             stretch = source.height / shape[0], source.width / shape[1]
             known = georeference(source, middle, stretch) | {"notes": notes}
             return finished(band.filled(0).astype(np.float64), hole, unit or source.units[0], 1, known)

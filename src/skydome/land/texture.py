@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
 from skydome.land.elevation import Elevation, Extent
 from skydome.light.colour import SRGB, decode_srgb
@@ -34,9 +35,7 @@ def read_texture(
     stretched over the model. Values lose the sRGB curve, are scaled to the `mean` luminance and end at 0.9. Where the
     photo has no data its mean stands in. ValueError in one line where more than half is missing.
     """
-    path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"no texture at {path}")
+    path = require_file(path, "a texture")
     if path.suffix.lower() not in (".tif", ".tiff", ".png", ".jpg", ".jpeg"):
         raise ValueError(f"a texture must end in .tif, .png or .jpg, got {path.name!r}")
     if not 0 < mean <= BRIGHTEST:

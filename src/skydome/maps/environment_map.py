@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.directions import ZENITH, checked_directions
+from skydome.ground.directions import ZENITH, checked_directions, checked_turn
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.files import save
 from skydome.maps.integrals import cosine_integral, light_vector
@@ -62,6 +62,9 @@ class EnvironmentMap(MapPixels):
 
         An equirectangular map keeps its pixels: only its left edge is renamed. Others are looked up anew.
         """
+        if not math.isfinite(angle):
+            raise ValueError(f"the angle to turn a map by must be finite radians, got {angle}")
+        checked_turn(angle, "the angle to turn a map by")
         if isinstance(self.projection, Equirectangular):
             left = math.fmod(self.projection.azimuth_left + angle, 2 * math.pi)
             return replace(self, projection=replace(self.projection, azimuth_left=left))

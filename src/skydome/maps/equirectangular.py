@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.directions import checked_turn
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
 
@@ -30,6 +31,7 @@ class Equirectangular(Projection):
     def __post_init__(self) -> None:
         if not math.isfinite(self.azimuth_left):
             raise ValueError(f"azimuth_left must be finite radians, got {self.azimuth_left}")
+        checked_turn(self.azimuth_left, "azimuth_left")
 
     def shape(self, height: int) -> tuple[int, int]:
         """Rows and columns (height, 2 height); the height must be even."""

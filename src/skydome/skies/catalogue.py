@@ -6,10 +6,11 @@ A new model is its file and a row in `CATALOGUE`. What the class itself tells (f
 
 from difflib import get_close_matches
 
+from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
-from skydome.skies.models import AirModel, Model, NeuralModel, PreethamModel, TracedModel
+from skydome.skies.model import AirModel, Model, NeuralModel, PhysicalModel, PreethamModel, TracedModel
 from skydome.skies.neural.files import load_network
 from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky
 from skydome.skies.path_tracing.sky import PathTraced
@@ -36,6 +37,11 @@ MEASURED = (
 )  # fmt: skip
 
 CATALOGUE: tuple[Model, ...] = (
+    PhysicalModel(
+        "physical",
+        PhysicalSky,
+        failures="no polarisation (up to 7 % at 400 nm) and no refraction; one lobe of aerosol unless given more",
+    ),
     Model(
         "hosek-wilkie",
         HosekWilkie,

@@ -102,7 +102,7 @@ class CIEIntermediate(SunlitSky):
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night."""
         namespace(directions, self.sun)
-        directions = checked_directions(directions)
+        directions = checked_directions(directions, like=self.sun)
         sun = floating(self.sun, like=directions)
         _, sun_angle = view_geometry(directions, sun)
         sun_zenith = zenith_angle(sun)

@@ -8,11 +8,11 @@ no limits given | turbidity 2-6 | those were fitted (section 3.2); below about 2
 import json
 from dataclasses import asdict, dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
 from skydome.ground.writing import appearing
@@ -83,7 +83,7 @@ class PreethamNumbers:
     def load(cls, path: str | PathLike[str]) -> "PreethamNumbers":
         """From a .json file; ValueError for one that holds something else."""
         try:
-            held = json.loads(Path(path).read_text("utf-8"))
+            held = json.loads(require_file(path, "Preetham's numbers").read_text("utf-8"))
             return cls(**held)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{path} holds no numbers of Preetham's model: {error}") from error

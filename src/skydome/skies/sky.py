@@ -87,6 +87,11 @@ class Sky(Ranged, ABC):
         return light if allowed is None else xp.where(allowed, light, xp.full_like(light, float("nan")))
 
     @property
+    def for_maps(self) -> "Sky":
+        """The sky that gives the same light toward very many directions sooner, where there is one; else this one."""
+        return self
+
+    @property
     def parts(self) -> tuple["Sky", ...]:
         """The skies of which this one is the sum: itself, if it is no sum."""
         return (self,)
@@ -177,6 +182,11 @@ class Combination(Sky):
         for sky, weight in zip(self.members, self.weights, strict=True):
             flat += [part if is_one(weight) else combine((part,), (weight,)) for part in sky.parts]
         return tuple(flat)
+
+    @property
+    def for_maps(self) -> Sky:
+        """The sum of the members as maps take them."""
+        return combine(tuple(sky.for_maps for sky in self.members), self.weights)
 
     @property
     def valid(self) -> Array:

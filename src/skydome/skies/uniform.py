@@ -28,7 +28,7 @@ class Uniform(Sky):
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""
         xp = namespace(directions, self.value)
-        directions = checked_directions(directions)
+        directions = checked_directions(directions, like=self.value)
         value, z = xp.broadcast_arrays(floating(self.value, like=directions), directions[..., 2])
         return self.blanked(xp.where(z >= 0, value, xp.zeros_like(value)), directions, channels=0)
 
@@ -56,9 +56,7 @@ class MoonSpencer(Sky):
 
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""
-        directions = checked_directions(directions)
-        if self.illuminance is None:
-            zenith = floating(self.zenith_luminance, like=directions)
-        else:
-            zenith = floating(self.illuminance, like=directions) * (9 / (7 * np.pi))
+        level = self.zenith_luminance if self.illuminance is None else self.illuminance
+        directions = checked_directions(directions, like=level)
+        zenith = floating(level, like=directions) * (1 if self.illuminance is None else 9 / (7 * np.pi))
         return self.blanked(zenith * (1 + 2 * directions[..., 2]) / 3, directions, channels=0)

@@ -108,6 +108,7 @@ def sun_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> SunE
     >>> year.sunrise.shape, str(year.local["sunrise"][171])[:16]
     ((365,), '2026-06-21 05:42')
     """
+    Place.required(place)
     clock = UTC if zone is None else as_zone(zone)
     if np.ndim(day) == 0:
         noon, high, found = day_events(place, *day_bounds(place, calendar_date(day), zone))

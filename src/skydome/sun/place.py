@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from skydome.ground.arguments import require_kind
+
 LIMITS = {"latitude": (-90.0, 90.0), "longitude": (-180.0, 180.0), "altitude": (-500.0, 40000.0)}
 """What a `Place` allows: degrees, degrees, metres (the pressure formula ends above 40 km)."""
 
@@ -23,6 +25,11 @@ class Place:
             value = getattr(self, name)
             if not low <= value <= high:
                 raise ValueError(f"{name} must lie in [{low:g}, {high:g}], got {value}")
+
+    @classmethod
+    def required(cls, value: object) -> None:
+        """TypeError unless the value is a place; two bare numbers do not tell which is which."""
+        require_kind(value, cls, "place", "Place(latitude=45.07, longitude=7.69)")
 
     @classmethod
     def parse(cls, text: str) -> "Place":

@@ -41,6 +41,7 @@ def sun_direction(
     >>> sun_direction(turin, "2026-06-21T15:00+02:00").round(4).tolist()
     [-0.3472, -0.3204, 0.8814]
     """
+    Place.required(place)
     toward = topocentric(place, checked_years(instants(time)))
     if refraction:
         return _as_seen(toward, standard_pressure(place.altitude) if pressure is None else pressure, temperature)

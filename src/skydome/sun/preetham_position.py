@@ -27,6 +27,7 @@ def preetham_sun_direction(place: Place, time: Times) -> np.ndarray:
     >>> preetham_sun_direction(turin, "2026-06-21T15:00+02:00").round(2).tolist()
     [-0.35, -0.32, 0.88]
     """
+    Place.required(place)
     latitude = place.latitude * deg
     west, meridian = -place.longitude * deg, -15 * deg * round(place.longitude / 15)
     day, clock = _standard_time(instants(time), meridian)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant
-from skydome.ground.directions import ZENITH, checked_directions, direction
+from skydome.ground.directions import ZENITH, checked_directions, checked_turn, direction
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.sky import Sky
 from skydome.surroundings.bands import Bands, dihedral, level_axis
@@ -45,6 +45,9 @@ class StreetCanyon:
         for name in ("height", "width"):
             if not (np.isfinite(getattr(self, name)) and getattr(self, name) > 0):
                 raise ValueError(f"{name} must be above 0, got {getattr(self, name)}")
+        if not np.isfinite(self.azimuth):
+            raise ValueError(f"azimuth of the street must be finite radians, got {self.azimuth}")
+        checked_turn(self.azimuth, "azimuth of the street")
         for name in ("floor_reflectance", "wall_reflectance"):
             check_shares(name, getattr(self, name), BELOW_ONE)
         if self.strips < 1:

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array
-from skydome.ground.directions import azimuth, elevation
+from skydome.ground.directions import azimuth, checked_turn, elevation, in_degrees
 from skydome.ground.units import EARTH_RADIUS
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
 
@@ -38,9 +39,10 @@ class Horizon(Surroundings):
             raise ValueError(f"azimuths and elevations must have one shape (K,), got {turn.shape} and {height.shape}")
         if not (np.isfinite(turn).all() and np.isfinite(height).all()):
             raise ValueError("azimuths and elevations must be finite, got NaN or infinity")
+        checked_turn(turn, "azimuths")
         if (height < 0).any() or (height >= np.pi / 2).any():
             worst = float(height[np.argmax(np.abs(height - np.pi / 4))])
-            raise ValueError(f"elevations must lie in [0, 90) degrees, got {np.degrees(worst):g}")
+            raise ValueError(f"elevations must lie in [0, 90) degrees, got {in_degrees(worst)}")
         turn = np.mod(turn, 2 * np.pi)
         order = np.argsort(turn, kind="stable")
         if (np.diff(turn[order]) <= 0).any():
@@ -59,7 +61,7 @@ class Horizon(Surroundings):
 
         A row at 360 degrees that repeats the one at 0 is dropped. ValueError names the line that is wrong.
         """
-        rows = numbered_rows(Path(path))
+        rows = numbered_rows(require_file(path, "a horizon's profile"))
         if not rows:
             raise ValueError(f"{Path(path).name} must have rows of azimuth,elevation in degrees, got none")
         if (360.0, dict(rows).get(0.0)) in rows:

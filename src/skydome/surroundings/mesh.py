@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.extras import required
@@ -75,7 +76,7 @@ class MeshScene:
     @classmethod
     def read(cls, path: "str | PathLike[str]", reflectance: ArrayLike | Spectrum = 0.2, **others: Any) -> "MeshScene":
         """The scene in a file that trimesh reads (OBJ, PLY, STL, glTF), z up, metres."""
-        mesh = trimesh_library().load(path, force="mesh", process=False)
+        mesh = trimesh_library().load(require_file(path, "a mesh"), force="mesh", process=False)
         return cls(mesh.vertices, mesh.faces, reflectance, **others)
 
     def finer(self, longest: float) -> "MeshScene":

@@ -8,7 +8,7 @@ import numpy as np
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.skies.catalogue import CATALOGUE
-from skydome.skies.models import Model
+from skydome.skies.model import Model
 from skydome.skies.neural.network import conditions, features
 from skydome.training.levenberg_marquardt import Examples
 

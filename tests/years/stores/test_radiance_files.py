@@ -32,7 +32,7 @@ def test_horizontal_illuminance_by_dctimestep(run_radiance, week, tmp_path):
     write_matrix(week, tmp_path / "sky.mtx")
     row = np.concatenate([[0.0], week.horizontal_solid_angle.values])
     with (tmp_path / "sensor.mtx").open("wb") as file:
-        write(file, [np.repeat(row[None, :, None], 3, axis=-1)], (1, row.size), (0.0, 0.0), True)
+        write(file, [np.repeat(row[None, :, None], 3, axis=-1)], (1, row.size), (0.0, 0.0), "float")
     answer = run_radiance("dctimestep", "-h", "-od", tmp_path / "sensor.mtx", tmp_path / "sky.mtx").stdout
     rgb = np.frombuffer(answer[-100 * 3 * 8 :], np.float64).reshape(100, 3)
     light = 179 * rgb @ sd.RADIANCE.to_xyz[1]

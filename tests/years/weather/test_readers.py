@@ -125,7 +125,12 @@ def test_a_tape_across_new_year(tmp_path):
 
 @pytest.mark.parametrize(
     ("old", "new", "value"),
-    [("elevation 0", "elevation 235,Csb", 235), ("elevation 0", "elevation 12.5 m", 12.5), ("place a", "Place a", 0)],
+    [
+        ("elevation 0", "elevation 235,Csb", 235),
+        ("elevation 0", "elevation 12.5 m", 12.5),
+        ("place a", "Place a", 0),
+        ("latitude ", "latitude\t", 0),
+    ],
 )
 def test_headers_of_tapes_with_words_after_numbers(tmp_path, old, new, value):
     (tmp_path / "a.wea").write_text("\ufeff" + (TAPE + "6 21 12.5 500 100\n").replace(old, new))

@@ -57,7 +57,7 @@ def glare(
 
     azimuth, elevation = numbers(view, 2, "--view", "180,20")
     looker = eye_of(age, iris, pupil, spread, seed)
-    frame = Camera(azimuth * deg, elevation * deg, fov * deg, size)
+    frame = Camera(azimuth % 360 * deg, elevation * deg, fov * deg, size)
     require_view_of_glare(frame)
     require_picture(output, exposure)
     required("scipy", "eye", "glare")

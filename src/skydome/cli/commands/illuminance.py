@@ -71,8 +71,6 @@ class Asked:
         albedo = next((value for value in (ground, options.albedo) if value is not None), 0.2)
         if not 0 <= albedo <= 1:
             raise ValueError(f"--ground must lie in [0, 1], got {albedo:g}")
-        if profile is not None and not profile.is_file():
-            raise FileNotFoundError(f"the horizon's file must exist, got {profile}")
         around = Open() if profile is None else Horizon.read(profile)
         name = None if profile is None else str(profile)
         kind = None if light is None else InKind.of(light)
@@ -83,7 +81,7 @@ class Asked:
         """The plane's normal, (3,)."""
         import skydome as sd
 
-        return sd.direction(azimuth=self.azimuth * sd.deg, elevation=(90 - self.tilt) * sd.deg)
+        return sd.direction(azimuth=self.azimuth % 360 * sd.deg, elevation=(90 - self.tilt) * sd.deg)
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from skydome.cli.options import AsJson, option_name
 from skydome.cli.printing import print_json
 
 if TYPE_CHECKING:
-    from skydome.skies.models import Model
+    from skydome.skies.model import Model
 
 
 def models(as_json: AsJson = False) -> None:
@@ -55,7 +55,7 @@ def taken(model: "Model") -> list[str]:
 
 def parameter_facts(model: "Model", name: str) -> dict[str, Any]:
     """A parameter's name, option, range with unit, and what is taken where it is not given."""
-    from skydome.skies.models import USUAL
+    from skydome.skies.model import USUAL
 
     kind: Any = model.kind
     own = next((item for item in fields(kind) if item.name == name), None)

@@ -6,15 +6,16 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.doors import progress, require_picture
-from skydome.cli.options import AsJson, SkyOptions, numbers, taking
-from skydome.cli.printing import show_facts
+from skydome.cli.moment import place_text
+from skydome.cli.options import AsJson, LandOptions, numbers, taking
+from skydome.cli.printing import labelled_rows, show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
 
 
-@taking(SkyOptions)
+@taking(LandOptions)
 def terrain(
-    options: SkyOptions,
+    options: LandOptions,
     land_file: Annotated[Path, Argument(help="An elevation model: .tif (with georeference), .npz or .hgt.")],
     output: Annotated[Path, Option("--output", "-o", help="picture.png, or picture.exr with the depth in Z.")],
     camera: Annotated[
@@ -31,8 +32,13 @@ def terrain(
         Path | None, Option(help="A photo from above, .tif, .png or .jpg, whose colours the land takes.")
     ] = None,
     vertical_unit: Annotated[str | None, Option(metavar="m|ft", help="Unit of the heights, if not stated.")] = None,
+    own_haze: Annotated[
+        bool, Option("--own-haze", help="Leave far haze its own light, not that of the sky's horizon behind it.")
+    ] = False,
     no_air: Annotated[bool, Option("--no-air", help="Without aerial perspective.")] = False,
-    curvature: Annotated[bool, Option("--curvature", help="Lower the land by the Earth's curve.")] = False,
+    curvature: Annotated[
+        bool, Option("--curvature", help="Lower the land, and the ground beyond it, by the Earth's curve.")
+    ] = False,
     exposure: Annotated[float | None, Option(help="Factor on cd m-2 for a .png. [default: by the picture]")] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -54,12 +60,14 @@ def terrain(
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
     )
     known = any(part.sunlit is not None and part.sunlit.haze is not None for part in scene.whole.parts)
-    air = None if no_air else AirLight(scene.whole, turbidity=options.turbidity or (None if known else 3.0))
+    haze = options.turbidity or (None if known else 3.0)
+    grey = float(np.mean(surface, axis=tuple(range(np.ndim(surface) - 1))) @ np.asarray(SRGB.to_xyz[1]))
+    air = None if no_air else AirLight(scene.whole, None, haze, grey, meets_horizon=not own_haze)
     with progress("rendering") as report:
         picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=report)
     picture.save(output, exposure) if output.suffix.lower() == ".png" else picture.save(output)
-    facts = facts_of(output, land, picture) | {"notes": [*land.notes, *laid, *scene.notes]}
-    show_facts(facts, as_json)
+    facts = facts_of(output, land, picture) | {"sky": scene.name, "notes": [*land.notes, *laid, *scene.notes]}
+    show(facts, rows_of(facts), as_json)
 
 
 def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
@@ -73,7 +81,7 @@ def camera_of(camera: str, look: str, fov: float, size: str) -> Any:
     width, height = int(wide), int(high)
     if (width, height) != (wide, high):
         raise ValueError(f"--size must be two whole numbers such as 1000,750, got {size!r}")
-    return Camera(azimuth * deg, elevation * deg, fov * deg, width, height, east, north, above)
+    return Camera(azimuth % 360 * deg, elevation * deg, fov * deg, width, height, east, north, above)
 
 
 def facts_of(path: Path, land: Any, picture: Any) -> dict[str, Any]:
@@ -91,3 +99,37 @@ def facts_of(path: Path, land: Any, picture: Any) -> dict[str, Any]:
         "farthest_m": float(seen.max()) if seen.size else None,
         "exposure": picture.exposure(),
     }
+
+
+def rows_of(facts: dict[str, Any]) -> dict[str, str]:
+    """The facts as a table for people."""
+    rows, columns = facts["cells"]
+    east, north = facts["cell_m"]
+    lowest, highest = facts["heights_m"]
+    latitude, longitude = facts["middle_deg"]
+    far = facts["farthest_m"]
+    return labelled_rows(
+        {
+            "picture": facts["file"],
+            "sky": facts["sky"],
+            "land": f"{rows} x {columns} cells of {east:g} x {north:g} m, {columns * east / 1e3:.4g} km east to west, "
+            f"{rows * north / 1e3:.4g} km north to south",
+            "heights": f"{lowest:g} to {highest:g} m",
+            "middle": None if latitude is None else place_text(round(latitude, 4), round(longitude, 4)),
+            "land in the picture": f"{facts['land_share']:.1%} of the pixels",
+            "farthest land": None if far is None else far_text(far),
+            "exposure": f"{facts['exposure']:.4g} (factor on cd m-2 for the screen)",
+            "notes": "\n".join(facts["notes"]),
+        }
+    )
+
+
+def far_text(metres: float) -> str:
+    """How far one sees land.
+
+    >>> far_text(43210.0), far_text(4e8)
+    ('43.21 km', 'more than 1,000 km: flat ground has no end; --curvature bends it')
+    """
+    if metres > 1e6:
+        return "more than 1,000 km: flat ground has no end; --curvature bends it"
+    return f"{metres / 1e3:.4g} km"

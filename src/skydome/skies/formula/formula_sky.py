@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import (
     Array,
     as_numpy,
@@ -51,7 +52,7 @@ class FormulaSky(SunlitSky):
     def channels(self, directions: Array, coefficients: Array | None = None) -> Array:
         """The channels toward each direction (..., 3), shape (..., channels); 0 below the horizon and at night."""
         namespace(directions, self.sun)
-        directions = checked_directions(directions)
+        directions = checked_directions(directions, like=self.sun)
         sun = floating(self.formula_sun, like=directions)
         coefficients = self.coefficients() if coefficients is None else coefficients
         cos_zenith, sun_angle = view_geometry(directions, sun)
@@ -105,8 +106,8 @@ class FormulaSky(SunlitSky):
         """The shape (..., K) of the light toward directions (..., 3)."""
         if directions.ndim == 0 or directions.shape[-1] != 3:
             checked_directions(directions)
-        sun = np.shape(self.formula_sun)[:-1]
-        leading = np.broadcast_shapes(directions.shape[:-1], coefficients.shape[:-2], sun)
+        sun, parameters = np.shape(self.formula_sun)[:-1], coefficients.shape[:-2]
+        leading = broadcast_shape(directions=directions.shape[:-1], sun=sun, parameters=parameters)
         return (*leading, quantity.size(coefficients.shape[-2]))
 
     def own_shape(self, coefficients: np.ndarray) -> tuple[int, ...]:

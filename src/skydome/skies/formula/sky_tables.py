@@ -12,6 +12,7 @@ from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, at_least, constant, limited, namespace
 from skydome.ground.interpolation import weights
 
@@ -118,7 +119,7 @@ class SkyTables:
 def arrays_of(path: Path, names: set[str]) -> dict[str, np.ndarray]:
     """The named arrays of numbers in a .npz file, read without pickles, at most `MOST_BYTES` of them."""
     try:
-        with ZipFile(path) as archive:
+        with ZipFile(require_file(path, "sky tables")) as archive:
             size = sum(item.file_size for item in archive.infolist())
         if size > MOST_BYTES:
             raise ValueError(f"{path} unpacks to {size} bytes; sky tables take at most {MOST_BYTES}")

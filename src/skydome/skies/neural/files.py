@@ -3,11 +3,11 @@
 import json
 from importlib.resources import as_file
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
 from skydome.ground.tables import DATA
 from skydome.ground.writing import appearing
 from skydome.skies.neural.network import OUTPUTS, Network
@@ -38,9 +38,7 @@ def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:
     """A network and its provenance from a file; ValueError in one line for a file that is not one, or too large."""
     from safetensors import SafetensorError, safe_open
 
-    file = Path(path)
-    if not file.is_file():
-        raise FileNotFoundError(f"the network file must exist, got {path}")
+    file = require_file(path, "a network")
     if file.stat().st_size > MOST_BYTES:
         raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
     try:

@@ -41,7 +41,7 @@ class NeuralForm(SunlitSky):
         float32 directions under one sky take the fast single precision paths, compiled where Numba is installed.
         """
         namespace(directions, self.sun)
-        directions = checked_directions(directions)
+        directions = checked_directions(directions, like=self.sun)
         if self.is_one_numpy_sky and isinstance(directions, np.ndarray) and directions.dtype == np.float32:
             return self.single_outputs(directions)
         sun = floating(self.sun, like=directions)

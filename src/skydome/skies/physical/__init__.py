@@ -8,5 +8,7 @@
 - nishita             Nishita's skies: light scattered once or once and twice in spherical shells of air
 - held                A physical sky's colours, computed once on a row of nodes and then known at every direction
 - held_tracing        A traced sky held in a table
+- held_fields         A held sky's table made fine, for many directions
+- held_kernel         The same compiled
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
 """

@@ -5,6 +5,7 @@ its phase function is put in at every direction. The rest, of higher orders, is 
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,12 +14,15 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
+from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions, direction
 from skydome.ground.interpolation import weights
+from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
+from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
 from skydome.skies.physical.nishita import lit_columns
 from skydome.skies.sky import SunlitSky
 
@@ -79,10 +83,23 @@ class HeldSky(SunlitSky, ColourSky):
         views = directions.reshape(-1, 3)
         light = np.zeros((len(views), 3))
         up = np.flatnonzero(views[:, 2] >= 0)
+        toward = self.fields.light if len(up) >= MANY else self.seen
         for start in range(0, len(up), CHUNK):
             part = up[start : start + CHUNK]
-            light[part] = self.seen(views[part])
+            light[part] = toward(views[part])
         return light.reshape(directions.shape)
+
+    def rgb(self, directions: Array, space: RGBSpace = SRGB) -> Array:
+        """Linear RGB toward each direction (..., 3), shape (..., 3): of many directions compiled, in float32."""
+        if np.size(directions) < 3 * LEAST_DIRECTIONS or not has_numba():
+            return super().rgb(directions, space)
+        views = np.ascontiguousarray(directions, np.float32).reshape(-1, 3)
+        return self.fields.light_in_single(views, np.asarray(space.from_xyz)).reshape(np.shape(directions))
+
+    @cached_property
+    def fields(self) -> HeldFields:
+        """The table made fine, for many directions."""
+        return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.atmosphere, c))
 
     def seen(self, views: np.ndarray) -> Array:
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
@@ -118,10 +135,15 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     whole = (sky.radiance(views, w) if light is None else light) / air.sun_at(w)
     once = strengths(air, views, sun, w)
     rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
-    fields = np.moveaxis(np.concatenate([once, rest[None]]), 0, 1) @ colours_of(air, w)  # (D, shapes + 1, 3)
+    return HeldSky(sun, sky, series_of(once, rest, colours_of(air, w)))
+
+
+def series_of(once: np.ndarray, rest: np.ndarray, colours: np.ndarray) -> np.ndarray:
+    """A held sky's series from the shapes' strengths (shapes, D, W) and the rest (D, W) at `node_directions`."""
+    fields = np.moveaxis(np.concatenate([once, rest[None]]), 0, 1) @ colours  # (D, shapes + 1, 3)
     grid = fields.reshape(-1, TERMS + 1, *fields.shape[1:])
     grid[-1] = grid[-1].mean(axis=0)  # at the zenith all azimuths are one
-    return HeldSky(sun, sky, np.asarray(np.einsum("mp,np...->nm...", cosine_transform(TERMS), grid)))
+    return np.asarray(np.einsum("mp,np...->nm...", cosine_transform(TERMS), grid))
 
 
 def colours_of(air: Atmosphere, wavelengths: np.ndarray) -> np.ndarray:

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.cross_sections import solar_irradiance
+from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
 from skydome.ground.interpolation import cells, weights
@@ -42,7 +43,7 @@ class Numbers:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Numbers":
         """From a .npz file; ValueError for a file that holds something else."""
-        with np.load(path, allow_pickle=False) as stored:
+        with np.load(require_file(path, "a refitted sky"), allow_pickle=False) as stored:
             missing = set(cls.__dataclass_fields__) - set(stored.files)
             if missing:
                 raise ValueError(f"{path} holds no refitted sky: it lacks {', '.join(sorted(missing))}")

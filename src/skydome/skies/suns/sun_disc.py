@@ -201,7 +201,7 @@ class SunDisc(SunlitSky, SpectralSky):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
         xp = namespace(directions, self.sun)
-        directions = checked_directions(directions)
+        directions = checked_directions(directions, like=self.sun)
         mu, inside = self.mu(directions)
         light = self.centre_radiance(wavelengths) * self.factor[..., None] * limb_darkening(mu, wavelengths)
         light = xp.where(inside[..., None], light, xp.zeros_like(light))

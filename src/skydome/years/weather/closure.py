@@ -32,8 +32,8 @@ WORTH, BETTER = 10.0, 0.6
 APART, LEAST_DAYS, CLEAREST = 20.0, 60, 4
 """Minutes by which both witnesses may differ; days that a noon needs; how many are taken of each twelfth of them."""
 
-OFF_NOON = 40.0
-"""Minutes of noon that are told of where no global irradiance was measured."""
+OFF_NOON, MOST_AT_NIGHT = 40.0, 0.25
+"""Minutes of noon that are told of where closure tells nothing; share of the light at night, at most."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,10 @@ class Closure:
         if not self.best:
             return words
         words += f", within {self.least:.1%} with stamps {later_or_earlier(self.best)}"
-        if not self.shift:
+        if not self.shift and abs(self.noon) <= APART:
             return words + f"; but noon stands right within {abs(self.noon):.0f} min: one column is of another sun"
+        if not self.shift:
+            return words + f"; but noon would stand right with stamps {later_or_earlier(self.noon)}"
         return words + (f": is the time zone {abs(self.shift) / 60:.0f} h off?" if abs(self.shift) % 60 == 0 else "")
 
 
@@ -185,14 +187,22 @@ def aligned(weather: Weather, shift: "float | Literal['auto'] | None" = None, tr
             f'kWh m-2; shift="auto" or shift={found.shift:g} (--shift) moves them',
             stacklevel=3,
         )
-    if found is None and not weather.decomposition:
+    elif (found is None or found.error > CLOSED) and not weather.decomposition:
         warn_of_noon(weather, track)
     return weather
 
 
 def warn_of_noon(weather: Weather, track: SunTrack) -> None:
-    """Warn where the noon of a record without global irradiance is off: a wrong zone, mostly."""
-    noon = noon_shift(weather, np.add(*weather.irradiances), track)
+    """Warn where the noon of a record whose closure tells nothing is off: a wrong zone, mostly.
+
+    Where much of the light falls at night, the place is wrong, of which `plausibility` tells.
+    """
+    whole = weather.global_horizontal
+    light = np.add(*weather.irradiances) if whole is None else np.nan_to_num(whole)
+    down = track.directions(weather.place, weather.middle.astype(np.float64))[:, 2] < 0
+    if light[down].sum() > MOST_AT_NIGHT * light.sum():
+        return
+    noon = noon_shift(weather, light, track)
     if abs(noon) >= OFF_NOON:
         zone = f": is the time zone {abs(noon) / 60:.0f} h off?" if abs(noon) > 45 else ""
         warnings.warn(

@@ -52,7 +52,7 @@ def header(text: Text) -> dict[str, Any]:
     head: dict[str, Any] = {}
     for k, key in enumerate(KEYS):
         line = text.lines[k].strip() if k < len(text.lines) else ""
-        word, _, value = line.partition(" ")
+        word, value = (*line.split(None, 1), "", "")[:2]
         if word.lower() != key:
             raise ValueError(f"{text.name}, line {k + 1}: a WEA file has {key} here, got {line[:40]!r}")
         head[key] = value.strip() if key == "place" else header_number(key, value.strip(), f"{text.name}, line {k + 1}")

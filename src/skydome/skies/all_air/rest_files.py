@@ -1,0 +1,76 @@
+"""The networks of the rest in a file: safetensors, float16; nothing is executed on reading."""
+
+from functools import cache
+from importlib.resources import as_file
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+
+from skydome.ground.tables import DATA
+from skydome.skies.all_air.rest import Rest, RestNetwork
+
+FORMAT = "skydome rest 1"
+MOST_BYTES = 4 * 1024**2
+
+
+def load_rest(path: str | PathLike[str]) -> Rest:
+    """The networks of a file; ValueError in one line for a file that is damaged or something else."""
+    from safetensors import SafetensorError, safe_open
+
+    file = Path(path)
+    if not file.is_file():
+        raise FileNotFoundError(f"the network file must exist, got {path}")
+    if file.stat().st_size > MOST_BYTES:
+        raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
+    try:
+        with safe_open(str(file), "numpy") as stored:
+            about = stored.metadata() or {}
+            tensors = {name: np.asarray(stored.get_tensor(name), dtype=np.float64) for name in stored.keys()}  # noqa: SIM118
+    except SafetensorError as error:
+        raise ValueError(f"{file.name} is not a network file (safetensors): {error}") from error
+    if about.get("format") != FORMAT:
+        raise ValueError(f"{file.name} is not a file of the sky's rest: format {about.get('format')!r}")
+    try:
+        return Rest(network_of(tensors, "day"), network_of(tensors, "twilight"))
+    except (KeyError, ValueError) as error:
+        raise ValueError(f"{file.name} is damaged: {error}") from error
+
+
+def network_of(tensors: dict[str, np.ndarray], name: str) -> RestNetwork:
+    """One network among the tensors; ValueError or KeyError where something is missing or does not fit."""
+    count = sum(key.startswith(f"{name}_weights_") for key in tensors)
+    layers = tuple((tensors[f"{name}_weights_{k}"], tensors[f"{name}_biases_{k}"]) for k in range(count))
+    shapes, places = tensors[f"{name}_shapes"], tensors[f"{name}_places"]
+    if not layers or shapes.ndim != 3 or places.shape != (2,) or not places[0] < places[1]:
+        raise ValueError(f"the {name} network has {len(layers)} layers, shapes of {shapes.ndim} axes, places {places}")
+    for (weights, biases), after in zip(layers, [*(w for w, _ in layers[1:]), None], strict=True):
+        fits = weights.shape[-1] < len(shapes) if after is None else weights.shape[-1] == len(after)
+        if weights.ndim != 2 or biases.shape != (weights.shape[-1],) or not fits:
+            raise ValueError(f"a layer of the {name} network does not fit the next: {weights.shape}")
+    if not all(np.isfinite(part).all() for part in (shapes, *(part for layer in layers for part in layer))):
+        raise ValueError(f"the {name} network has numbers that are not finite")
+    return RestNetwork(layers, shapes, (float(places[0]), float(places[1])))
+
+
+def save_rest(path: str | PathLike[str], rest: Rest, provenance: str) -> None:
+    """Write networks to a .safetensors file, whole or not at all, in float16, with how they were made as text."""
+    from safetensors.numpy import save
+
+    from skydome.ground.writing import appearing
+
+    tensors = {}
+    for name, network in (("day", rest.day), ("twilight", rest.twilight)):
+        tensors[f"{name}_shapes"], tensors[f"{name}_places"] = network.shapes, np.asarray(network.places)
+        for k, (weights, biases) in enumerate(network.layers):
+            tensors[f"{name}_weights_{k}"], tensors[f"{name}_biases_{k}"] = weights, biases
+    stored = {key: np.ascontiguousarray(value, dtype=np.float16) for key, value in tensors.items()}
+    with appearing(path) as beside:
+        beside.write_bytes(save(stored, {"format": FORMAT, "provenance": provenance}))
+
+
+@cache
+def shipped_rest() -> Rest:
+    """The networks that the package carries."""
+    with as_file(DATA / "physical_sky.safetensors") as path:
+        return load_rest(path)

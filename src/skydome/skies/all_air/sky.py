@@ -1,0 +1,198 @@
+"""The physical sky: one sky for all air, from noon to the end of twilight, as fast as a formula."""
+
+from dataclasses import dataclass, field
+from functools import cached_property, reduce
+from os import PathLike
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, limited, namespace
+from skydome.ground.directions import checked_directions
+from skydome.ground.interpolation import lagrange_about
+from skydome.light.spectrum import checked_wavelengths, xyz_weights
+from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.rest import Rest, cosine_of_turn
+from skydome.skies.all_air.rest_files import load_rest, shipped_rest
+from skydome.skies.all_air.single_scattering import cosines, lit_rays
+from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
+from skydome.skies.physical.held import HeldSky, mixture, node_directions, series_of
+from skydome.skies.sky import Sky
+from skydome.skies.validity import Range, inside
+
+LOWEST = float(np.sin(np.radians(-18.0)))
+"""Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
+WAVELENGTHS = Range(300.0, 1100.0, "nm")
+COARSE = np.arange(380.0, 781.0, 20.0)
+"""Wavelengths, nm, between which the air's part of the spectrum is cubic when colours are integrated."""
+BLOCK = 4096
+"""Views at a time."""
+
+
+class Lit(NamedTuple):
+    """What a sky needs at wavelengths: optical numbers for the rest, depths of the constituents, each (..., W)."""
+
+    wavelengths: np.ndarray
+    numbers: Optics
+    depths: list[Array]
+
+
+@dataclass(frozen=True, eq=False)
+class PhysicalSky(AtmosphereSky):
+    """The sky of any `atmosphere` for suns from -18 to 90 degrees: light scattered once exactly, the rest by a network.
+
+    One sun or many, one air or many: `sun` (..., 3) and the numbers in `atmosphere` (...,) broadcast with the
+    directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: a file of
+    networks of one's own (None: the package's). `valid` tells whether the air was taught, at 380-780 nm. No
+    polarisation, no refraction. Errors and limits: docs/models/physical.md.
+
+    >>> import skydome as sd
+    >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
+    >>> sky.radiance(sd.ZENITH, [450.0, 650.0]).shape
+    (2, 1, 2)
+    """
+
+    atmosphere: Atmosphere = field(default_factory=clear_air)
+    networks: str | PathLike[str] | None = None
+    knows_twilight: ClassVar[bool] = True
+    source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require_earth(self.atmosphere)
+        if self.check == "raise":
+            self.at(SpectralSky.bands)
+
+    @cached_property
+    def rest(self) -> Rest:
+        """The networks of the light scattered more than once."""
+        return shipped_rest() if self.networks is None else load_rest(self.networks)
+
+    @property
+    def toward(self) -> Array:
+        """The sun in the library that the sky computes in: its own, or the air's where the sun is NumPy's."""
+        sun = floating(self.sun)
+        other = foreign(self.atmosphere) if is_numpy(sun) else None
+        return sun if other is None else constant(sun, other)
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sky has light of the sun: down to 18 degrees below the horizon, boolean array (...,)."""
+        return self.toward[..., 2] > LOWEST
+
+    @property
+    def valid(self) -> Array:
+        """True where the air was taught, at 380-780 nm, and the sun stands above -18 degrees, boolean array (...,)."""
+        numbers = optics(self.atmosphere, SpectralSky.bands, self.toward)
+        xp = namespace(*numbers)
+        taught = [xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items()]
+        return reduce(lambda a, b: a & b, taught) & self.is_day
+
+    def at(self, wavelengths: np.ndarray) -> Lit:
+        """The air at wavelengths (W,); ValueError in one line where `check` is "raise" and the air was not taught."""
+        sun = self.toward
+        numbers = optics(self.atmosphere, wavelengths, sun)
+        if self.check == "raise":
+            require_taught(numbers)
+        held = Optics(*(limited(v, *TAUGHT[name][:2]) for name, v in numbers._asdict().items()))
+        return Lit(wavelengths, held, [same(part.depth(wavelengths), sun) for part in self.atmosphere.constituents])
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon.
+
+        ValueError for wavelengths outside 300-1100 nm, or at which the air was not taught.
+        """
+        w = checked_wavelengths(wavelengths)
+        if w[0] < WAVELENGTHS.low or w[-1] > WAVELENGTHS.high:
+            raise ValueError(f"wavelengths must lie in {WAVELENGTHS}, got {w[0]:g} to {w[-1]:g}")
+        views = self.views(directions)
+        light = self.in_blocks(views, self.at(w)) * constant(self.atmosphere.sun_at(w), self.toward)
+        return self.blanked(light, views)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3): the air's part of the spectrum is cubic
+        between wavelengths 20 nm apart, the sun's is linear between `bands`.
+        """
+        views = self.views(directions)
+        light = self.in_blocks(views, self.at(COARSE)) @ constant(self.colours(), self.toward)
+        return self.blanked(light, views)
+
+    def views(self, directions: Array) -> Array:
+        """The directions (..., 3), checked, in the sky's library."""
+        return checked_directions(same(floating(directions), self.toward))
+
+    def colours(self) -> np.ndarray:
+        """CIE XYZ of light at `COARSE` for a sun of irradiance 1, under the true sun, (W, 3)."""
+        fine = SpectralSky.bands
+        nodes, weights = lagrange_about(len(COARSE), (fine - COARSE[0]) / (COARSE[-1] - COARSE[0]))
+        between = np.zeros((len(fine), len(COARSE)))
+        np.put_along_axis(between, nodes, weights, axis=1)
+        result: np.ndarray = (between.T * self.atmosphere.sun_at(fine)) @ xyz_weights(fine)
+        return result
+
+    def in_blocks(self, views: Array, lit: Lit) -> Array:
+        """Light for a sun of irradiance 1, (..., W): of many views under one sun, some at a time."""
+        one = self.toward.ndim == 1 and all(depth.ndim == 1 for depth in lit.depths)
+        if not (one and isinstance(views, np.ndarray) and views.size > 3 * BLOCK):
+            return self.light(views, lit)
+        flat = views.reshape(-1, 3)
+        parts = [self.light(flat[k : k + BLOCK], lit) for k in range(0, len(flat), BLOCK)]
+        return np.concatenate(parts).reshape(*views.shape[:-1], -1)
+
+    def light(self, views: Array, lit: Lit) -> Array:
+        """Light for a sun of irradiance 1, sr-1, (..., W)."""
+        between = cosines(self.toward, views)[2]
+        total = self.higher_orders(views, lit)
+        for part, strength in zip(self.atmosphere.constituents, self.once(views, lit), strict=True):
+            total = total + strength * same(part.phase_law.value(between, lit.wavelengths), total)
+        return total
+
+    def once(self, views: Array, lit: Lit) -> list[Array]:
+        """What each constituent scatters once toward the ground, per phase function, (..., W)."""
+        rays = lit_rays(ColumnTables.of(self.atmosphere), *cosines(self.toward, views))
+        shares = [same(part.scattered(lit.wavelengths), self.toward) for part in self.atmosphere.constituents]
+        return [found * share for found, share in zip(rays.strengths(lit.depths), shares, strict=True)]
+
+    def higher_orders(self, views: Array, lit: Lit) -> Array:
+        """The rest of the light for a sun of irradiance 1, sr-1, (..., W)."""
+        sun = self.toward
+        view, _, _ = cosines(sun, views)
+        return self.rest.radiance(lit.numbers, view, sun[..., 2], cosine_of_turn(sun, views))
+
+    @cached_property
+    def for_maps(self) -> Sky:
+        """The colours of one sun held in a table; the sky itself where it has many suns, or is not NumPy's."""
+        return self if not (self.one_sun and is_numpy(self.toward)) else self.held()
+
+    def held(self) -> HeldSky:
+        """The colours of one sun held in a table, for maps: ValueError for many suns."""
+        sun = np.asarray(self.sun, dtype=np.float64)
+        if sun.shape != (3,):
+            raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
+        views, lit = node_directions(sun), self.at(COARSE)
+        laws = [part.phase_law for part in self.atmosphere.constituents]
+        once = [mixture(law, COARSE)[:, None, :] * one for law, one in zip(laws, self.once(views, lit), strict=True)]
+        night = 0.0 if not self.is_day else 1.0
+        series = series_of(np.concatenate(once), self.higher_orders(views, lit), self.colours() * night)
+        return HeldSky(sun, self, series)
+
+
+def require_taught(numbers: Optics) -> None:
+    """ValueError in one line where a number of the air was not taught."""
+    for name, number in numbers._asdict().items():
+        if not is_concrete(number):
+            continue
+        found, interval = np.asarray(as_numpy(number)), TAUGHT[name]
+        wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
+        if wrong.any():
+            raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
+
+
+def require_earth(air: Atmosphere) -> None:
+    """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
+    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
+        size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
+        raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

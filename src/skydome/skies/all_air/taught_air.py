@@ -1,0 +1,122 @@
+"""What the rest of the sky's light depends on: a few optical numbers of the air, and the ranges that were taught."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
+from skydome.air.profiles import STANDARD_1976, STRATOSPHERIC_LAYER
+from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
+from skydome.skies.validity import Range
+
+HIGH = 10_000.0
+"""Mean height, m, from which an aerosol counts as stratospheric."""
+
+TAUGHT = {
+    "molecules": Range(0.0, 1.35),
+    "aerosol": Range(0.0, 1.6),
+    "stratospheric": Range(0.0, 0.04),
+    "absorbers": Range(0.0, 0.42),
+    "aerosol_albedo": Range(0.58, 1.0),
+    "asymmetry": Range(0.48, 0.92),
+    "ground": Range(0.0, 1.0),
+}
+"""Optical depths (molecules, low aerosol, stratospheric aerosol, ozone), the aerosol's numbers, the ground's albedo."""
+NAMES = {
+    "molecules": "optical depth of molecules",
+    "aerosol": "optical depth of aerosol",
+    "stratospheric": "optical depth of stratospheric aerosol",
+    "absorbers": "optical depth of ozone",
+    "aerosol_albedo": "single scattering albedo of aerosol",
+    "asymmetry": "asymmetry of aerosol",
+    "ground": "albedo of the ground",
+}
+BARE = {"aerosol_albedo": 0.92, "asymmetry": 0.7}
+"""What stands for the numbers of an aerosol that is not there."""
+
+
+class Optics(NamedTuple):
+    """The numbers of `TAUGHT`, each (..., W)."""
+
+    molecules: Array
+    aerosol: Array
+    stratospheric: Array
+    absorbers: Array
+    aerosol_albedo: Array
+    asymmetry: Array
+    ground: Array
+
+
+def clear_air(
+    aerosol_depth: Any = 0.1,
+    asymmetry: Any = 0.76,
+    pressure: Any = 101325.0,
+    ozone: Any = 330.0,
+    albedo: Any = 0.1,
+    aerosol_albedo: Any = 0.92,
+    angstrom: Any = 1.3,
+    stratospheric_depth: Any = 0.006,
+) -> Atmosphere:
+    """The air that the physical sky was taught: US Standard Atmosphere 1976, aerosol of scale height 1.5 km, ozone,
+    and a background aerosol at 12-28 km that scatters all, g 0.7. Numbers may be arrays (...,) of any library.
+
+    >>> [round(float(part.depth([550.0])[0]), 4) for part in clear_air().constituents]
+    [0.0971, 0.1, 0.0292, 0.006]
+    """
+    from skydome.air.phase_laws import HenyeyGreenstein
+
+    low = Aerosol(aerosol_depth, angstrom, aerosol_albedo, HenyeyGreenstein((asymmetry,)))
+    high = Aerosol(stratospheric_depth, 1.3, 1.0, HenyeyGreenstein((0.7,)), STRATOSPHERIC_LAYER)
+    return Atmosphere((Molecules(pressure, STANDARD_1976), low, Ozone(ozone), high), albedo)
+
+
+def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
+    """The optical numbers of an atmosphere at wavelengths (W,) nm, as arrays (..., W) of the library of `like`."""
+
+    def total(parts: list[Array]) -> Array:
+        return sum(parts[1:], parts[0]) if parts else constant([0.0] * len(wavelengths), like)
+
+    molecules, ozone, low, high = kinds(air)
+    depth = [same(part.depth(wavelengths), like) for part in low]
+    scattered = [d * same(part.scattered(wavelengths), like) for d, part in zip(depth, low, strict=True)]
+    forward = [s * same(part.phase_law.mean_cosine(wavelengths), like) for s, part in zip(scattered, low, strict=True)]
+    aerosol, scattering = total(depth), total(scattered)
+    return Optics(
+        total([same(part.depth(wavelengths), like) for part in molecules]),
+        aerosol,
+        total([same(part.depth(wavelengths), like) for part in high]),
+        total([same(part.depth(wavelengths), like) for part in ozone]),
+        ratio(scattering, aerosol, BARE["aerosol_albedo"]),
+        ratio(total(forward), scattering, BARE["asymmetry"]),
+        same(at(air.albedo, wavelengths), like),
+    )
+
+
+def kinds(air: Atmosphere) -> tuple[Sequence[Constituent], ...]:
+    """An atmosphere's molecules, ozone, low and high aerosols."""
+    aerosols = [part for part in air.constituents if isinstance(part, Aerosol)]
+    high = [part for part in aerosols if part.profile.mean_height >= HIGH]
+    low = [part for part in aerosols if part.profile.mean_height < HIGH]
+    return (*([part for part in air.constituents if isinstance(part, kind)] for kind in (Molecules, Ozone)), low, high)
+
+
+def foreign(air: Atmosphere) -> Array | None:
+    """An array of the library that the numbers of an atmosphere are in; None where that is NumPy."""
+    w = [550.0]
+    for part in air.constituents:
+        for value in (part.depth(w), part.scattered(w), part.phase_law.mean_cosine(w)):
+            if not is_numpy(value):
+                return value
+    albedo = at(air.albedo, w)
+    return None if is_numpy(albedo) else albedo
+
+
+def ratio(upper: Array, lower: Array, otherwise: float) -> Array:
+    """upper / lower, and `otherwise` where there is nothing."""
+    xp = namespace(upper, lower)
+    return xp.where(lower > 0, safe_divide(upper, lower), xp.full_like(lower, otherwise))
+
+
+def same(value: Any, like: Array) -> Array:
+    """An array of NumPy's as one of the library of `like`; others as they are."""
+    return constant(value, like) if is_numpy(value) else value
