@@ -84,7 +84,7 @@ def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, f
     given = {name: getattr(options, name) for name in LEVELS if getattr(options, name) is not None}
     notes: list[str] = []
     if not given:
-        if model.kind.knows_level:
+        if model.knows_level:
             return {}, []
         if model.level is None or sun is None:
             raise ValueError(f"{model.name} needs a level: --zenith-luminance (cd m-2) or --illuminance (lx)")

@@ -75,7 +75,7 @@ CATALOGUE: tuple[Model, ...] = (
         ("turbidity", "albedo"),
         {"network": "hosek-wilkie-spectral"},
     ),
-    Model("perez-all-weather", PerezAllWeather, MEASURED),
+    Model("perez-all-weather", PerezAllWeather, MEASURED, knows_level=True),
     Model("perez", Perez, tuple("abcde"), fitted=("sun", *"abcde", "illuminance")),
     *(cie_model(kind) for kind in range(1, 16)),
     Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance")),

@@ -31,7 +31,8 @@ class Model:
     `takes`: parameters that a user gives; `fixed`: those that the name settles. `level`: how bright it usually is, for
     skies known up to a factor; `shines`: whether the sun's disc is seen in it. `fitted`: what `fit` looks for.
     `lesson`: the name by which networks learn it, as spectral radiance at `lesson_bands`, nm, or as RGB without.
-    `failures`: where it is known to fail; `evaluate` takes the models that say so.
+    `knows_level`: whether a sky that takes a level has its own where none is given. `failures`: where it is known to
+    fail; `evaluate` takes the models that say so.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Model:
     lesson: str = ""
     lesson_bands: tuple[float, ...] = ()
     failures: str = ""
+    knows_level: bool = False
 
     @property
     def needed(self) -> dict[str, bool]:

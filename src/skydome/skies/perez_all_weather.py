@@ -68,7 +68,6 @@ class PerezAllWeather(LuminanceFormulaSky):
     dew_point: Any = 11.0
     compat: Compat = field(default="paper", kw_only=True)
     smooth: bool = field(default=False, kw_only=True)
-    knows_level: ClassVar[bool] = True
     ranges: ClassVar = {
         "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),

@@ -15,7 +15,7 @@ import numpy as np
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.skies.formula.fast import Light
-from skydome.skies.validity import Ranged
+from skydome.skies.validity import Ranged, is_one
 from skydome.sun.day import is_day
 
 
@@ -35,8 +35,6 @@ class Sky(Ranged, ABC):
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False
     """Whether the sky still has light when the sun has set."""
-    knows_level: ClassVar[bool] = False
-    """Whether a sky that takes a level has one of its own where none is given."""
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
@@ -239,11 +237,6 @@ class Combination(Sky):
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""
         return self.total("luminance", 0, directions)
-
-
-def is_one(weight: Any) -> bool:
-    """True for the plain number 1, which needs no multiplication."""
-    return isinstance(weight, int | float) and weight == 1
 
 
 def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:

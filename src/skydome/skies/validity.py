@@ -73,6 +73,11 @@ def has_library(value: Any) -> bool:
     return is_array(value) and not (isinstance(value, np.ndarray) and value.dtype.kind in "iu")
 
 
+def is_one(weight: Any) -> bool:
+    """True for the plain number 1, which needs no multiplication."""
+    return isinstance(weight, int | float) and weight == 1
+
+
 @dataclass(frozen=True, eq=False)
 class Ranged:
     """A dataclass of parameters with ranges, which it can tell; `check` says what happens outside (see `Sky`)."""

@@ -31,7 +31,7 @@ def model_facts(model: "Model") -> dict[str, Any]:
         "rung": rung(kind),
         "parameters": [parameter_facts(model, name) for name in taken(model)],
         "fixed": dict(model.fixed),
-        "needs_level": model.level_name is not None and not kind.knows_level,
+        "needs_level": model.level_name is not None and not model.knows_level,
         "usual_levels": [] if model.level is None else [model.level.whose],
         "source": kind.source,
         "about": (kind.__doc__ or "").strip().splitlines()[0],
