@@ -3,11 +3,11 @@
 import importlib.util
 import os
 from collections.abc import Callable
-from glob import glob
 from typing import Any
 
 import numpy as np
 from gpu import EFFICACY, TURBIDITY, map_inputs, sky_letters, whole_map
+from llvm import NO_LLVM, llvm_library
 
 import skydome as sd
 from skydome.dome.network_rows import paint_network, rgb_network
@@ -128,7 +128,7 @@ def mitsuba(width: int, sample: int = 2000) -> dict[str, Run | str]:
     runs: dict[str, Run | str] = {f"mitsuba sunsky scalar, {len(some)} directions, scaled": scalar}
     library = llvm_library()
     if library is None:
-        return runs | {"mitsuba sunsky llvm": "no libLLVM of version 16 or later (apt-get install libllvm16)"}
+        return runs | {"mitsuba sunsky llvm": NO_LLVM}
     os.environ["DRJIT_LIBLLVM_PATH"] = library
     return runs | {"mitsuba sunsky llvm, directions": mitsuba_llvm(sky, toward)}
 
@@ -151,15 +151,6 @@ def mitsuba_llvm(sky: dict[str, Any], toward: np.ndarray) -> Run:
         return light
 
     return run
-
-
-def llvm_library() -> str | None:
-    """Path of a libLLVM that Dr.Jit can use; DRJIT_LIBLLVM_PATH where it is set."""
-    if os.environ.get("DRJIT_LIBLLVM_PATH"):
-        return os.environ["DRJIT_LIBLLVM_PATH"]
-    found = [path for version in range(16, 22) for path in glob(f"/usr/lib/*/libLLVM*{version}.so*")]
-    found += [path for version in range(16, 22) for path in glob(f"/usr/lib/*/libLLVM.so.{version}*")]
-    return found[-1] if found else None
 
 
 def torch_maps(width: int) -> dict[str, Run | str]:

@@ -21,6 +21,8 @@ KINDS = {
     "printed sun": (lambda: sd.preetham_sun_direction(PAIR, TIME), "place must be of kind Place"),
     "no sky": (lambda: sd.illuminance(None), "sky must be of kind Sky, as Preetham.*got NoneType None"),
     "skies": (lambda: sd.illuminance((SKY, SKY)), "sky must be of kind Sky, .*got tuple"),
+    "no map": (lambda: sd.render("hosek-wilkie"), "sky must be of kind Sky, .*got str"),
+    "street": (lambda: sd.obstructed_illuminance(SKY, (0, 0)), "surroundings must be of kind Surroundings.*got tuple"),
     "air": (lambda: sd.AirLight("clear"), "sky must be of kind Sky, .*got str 'clear'"),
     "heights": (lambda: sd.render_terrain(np.zeros((9, 9)), sd.Camera(), SKY), "elevation must be of kind Elevation"),
     "camera": (lambda: sd.render_terrain(LAND, (0, 0), SKY), r"camera must be of kind Camera.*got tuple \(0, 0\)"),
@@ -37,6 +39,7 @@ def test_what_is_of_another_kind_is_named_with_what_is_allowed(call, message):
 
 FILES = {
     "map": lambda: sd.load("none.exr"),
+    "weather": lambda: sd.read_weather("none.epw"),
     "picture": lambda: sd.load("none.hdr"),
     "horizon": lambda: sd.Horizon.read("none.csv"),
     "land": lambda: sd.read_elevation("none.tif"),
@@ -56,5 +59,18 @@ def test_files_that_are_not_there_are_told_in_a_sentence(call):
 def test_shapes_that_do_not_go_together_are_named(shape):
     views = sd.direction(np.linspace(0, 6, 18432), 0.5)
     sky = sd.Preetham(sd.direction(np.zeros(shape), 0.7), 3.0)
-    with pytest.raises(ValueError, match=r"must go together as in NumPy, got directions \(18432,\), sun \(.*axis of 1"):
+    with pytest.raises(ValueError, match=r"must fit, got directions \(18432,\), sun \(.*an axis of 1"):
         sky.luminance(views)
+
+
+def test_series_frames_and_arrays_with_labels_are_taken():
+    pd, xr = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    hours = pd.date_range("2026-06-21T10:00", periods=3, freq="h", tz="Europe/Rome")
+    suns = sd.sun_direction(sd.Place(45.07, 7.69), hours)
+    beam, diffuse = pd.Series([700.0, 710.0, 600.0], index=hours), pd.Series([110.0, 112.0, 100.0], index=hours)
+    known = sd.PerezAllWeather(suns, beam.to_numpy(), diffuse.to_numpy()).luminance(sd.ZENITH)
+    assert sd.PerezAllWeather(suns, beam, diffuse).luminance(sd.ZENITH).tolist() == known.tolist()
+    views = sd.direction(np.zeros(3), [0.1, 0.2, 0.3])
+    for labelled in (xr.DataArray(views, dims=("view", "axis")), pd.DataFrame(views, columns=list("xyz"))):
+        assert SKY.luminance(labelled).tolist() == SKY.luminance(views).tolist()
+    assert sd.direction(pd.Series([0.1]), pd.Series([0.2])).tolist() == sd.direction([0.1], [0.2]).tolist()

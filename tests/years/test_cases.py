@@ -50,7 +50,7 @@ def hours_missing(path, tmp_path, run_radiance):
 
 
 def sun_shines(path, tmp_path, run_radiance):
-    """Where the sky sends nothing its sun still shines, as in gendaymtx: within 3 % (seen: 0.5 %, 2.7 % in an EPW).
+    """Where the sky sends nothing its sun still shines, as in gendaymtx: within 3 %.
 
     They are 99-101 lm for every watt of the tape, 105 with the sun at 68 degrees.
     """

@@ -143,5 +143,6 @@ def horizontal_xyz(sky: ColourSky) -> tuple[np.ndarray, np.ndarray]:
 
 def colourless(sky: Sky) -> str:
     """What to say of a sky whose luminance only is known, where colour is needed."""
+    require_kind(sky, Sky, "sky", "Preetham(sun, turbidity=3.0)")
     name = type(sky).__name__
     return f"{name} knows luminance only; give it a colour on purpose: skydome.Daylight(sky, chromaticity=(x, y))"

@@ -41,10 +41,10 @@ def broadcast_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:
     (3, 5)
     >>> broadcast_shape(directions=(18432,), sun=(3,))
     Traceback (most recent call last):
-    ValueError: leading shapes must go together as in NumPy, got directions (18432,), sun (3,); give one an axis of 1
+    ValueError: leading shapes must fit, got directions (18432,), sun (3,); give many suns an axis of 1: sun[:, None, :]
     """
     try:
         return np.broadcast_shapes(*shapes.values())
     except ValueError:
         told = ", ".join(f"{name.replace('_', ' ')} {shape}" for name, shape in shapes.items())
-        raise ValueError(f"leading shapes must go together as in NumPy, got {told}; give one an axis of 1") from None
+        raise ValueError(f"leading shapes must fit, got {told}; give many suns an axis of 1: sun[:, None, :]") from None

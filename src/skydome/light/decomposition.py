@@ -17,7 +17,7 @@ def erbs(whole: np.ndarray, sine: np.ndarray, distance: "np.ndarray | float" = 1
     hour's clearness, global irradiance over that outside the air. Standard error there: 0.17 of the share.
 
     >>> erbs(np.array([50.0, 500.0, 900.0]), np.array([0.5, 0.7, 0.8])).round(3).tolist()
-    [0.993, 0.66, 0.165]
+    [0.993, 0.611, 0.165]
     """
     clearness = np.clip(whole * np.square(distance) / (SOLAR_CONSTANT * sine), 0.0, 1.0)
     share = np.where(clearness <= 0.22, 1 - 0.09 * clearness, np.polyval(CUBIC, clearness))

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
 from skydome.light.spectrum import Spectrum
@@ -192,5 +193,6 @@ def obstructed_illuminance(
     >>> obstructed_illuminance(blue, sd.Horizon.level(0.5), light=sd.LightInRGB()).total.shape
     (3,)
     """
+    require_kind(surroundings, Surroundings, "surroundings", "Horizon.level(30 * deg)")
     check_shares("albedo", albedo)
     return PlaneView.of(surroundings, normal, bands).receive(sky, luminances, albedo, light)

@@ -115,7 +115,9 @@ def minutes(text: str | None) -> float | str | None:
 
 def is_sites(path: Path) -> bool:
     """True for a table of sites, False for a TMY3 file."""
-    with path.open(encoding="utf-8", errors="replace") as file:
+    from skydome.ground.arguments import require_file
+
+    with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
         cells = [cell.strip() for cell in file.readline().split(",")]
     return "file" in cells and "name" in cells
 

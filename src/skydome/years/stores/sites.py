@@ -8,6 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
 from skydome.sun.track import SunTrack
 from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
@@ -33,7 +34,7 @@ def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = N
     """
     base = Path(folder) if folder is not None else Path(path).parent
     sites, bad = [], []
-    with open(path, newline="", encoding="utf-8") as file:
+    with require_file(path, "a table of sites").open(newline="", encoding="utf-8") as file:
         table = csv.DictReader(file)
         if table.fieldnames is None or not {"name", "file"} <= set(table.fieldnames):
             raise ValueError(f"{Path(path).name} needs columns name and file, got {table.fieldnames}")

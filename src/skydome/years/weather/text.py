@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from skydome.ground.arguments import require_file
+
 LARGEST = 256 * 2**20
 """Bytes of text that are read, at most: a year of minutes has 80 MB."""
 
@@ -59,7 +61,7 @@ def content_of(path: str | PathLike[str]) -> bytes:
         import sys
 
         return sys.stdin.buffer.read(LARGEST + 1)
-    with open(path, "rb") as file:
+    with require_file(path, "a weather file").open("rb") as file:
         content = file.read(LARGEST + 1)
     if not content.startswith(b"\x1f\x8b"):
         return content

@@ -1,0 +1,34 @@
+"""Draws the physical sky of an evening, every two degrees from 20 to -16: docs/figures/physical_evening.png."""
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+import skydome as sd
+from skydome import deg
+
+HEIGHT, WIDTH = 110, 440
+ELEVATIONS = range(20, -17, -2)
+
+
+def panorama(sun_elevation: float) -> np.ndarray:
+    """The dome unrolled, the sun in the middle, each sky exposed for its own mean, sRGB bytes."""
+    azimuths = np.linspace(-np.pi, np.pi, WIDTH, endpoint=False) + np.pi / WIDTH
+    rows, columns = np.meshgrid(np.linspace(89.5, 0.4, HEIGHT) * deg, azimuths, indexing="ij")
+    sun = sd.direction(azimuth=0.0, elevation=sun_elevation * deg)
+    sky = sd.PhysicalSky(sun, sd.clear_air(0.08, albedo=0.15)).held()
+    light = np.maximum(sky.rgb(sd.direction(azimuth=columns, elevation=rows)), 0.0)
+    level = np.exp(np.log(np.maximum(light @ [0.2126, 0.7152, 0.0722], 1e-9)).mean())
+    shown = light * 0.35 / level
+    shown = np.clip(shown / (1 + 0.25 * shown.max(axis=-1, keepdims=True)), 0.0, 1.0)
+    coded = np.where(shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
+    return (255 * coded).astype(np.uint8)
+
+
+if __name__ == "__main__":
+    skies = [panorama(elevation) for elevation in ELEVATIONS]
+    half = (len(skies) + 1) // 2
+    skies += [np.zeros_like(skies[0])] * (2 * half - len(skies))
+    picture = np.concatenate([np.concatenate(skies[:half]), np.concatenate(skies[half:])], axis=1)
+    Image.fromarray(picture).save(Path(__file__).with_name("physical_evening.png"))
