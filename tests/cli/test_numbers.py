@@ -73,7 +73,7 @@ EXTRA = {
     "perez": ("--letters", "-1,-0.32,10,-3,0.45", "--illuminance", 12000),
 }
 NAMES = [
-    "hosek-wilkie", "hosek-wilkie-rgb", "preetham", "neural-preetham", "neural-hosek-wilkie",
+    "physical", "hosek-wilkie", "hosek-wilkie-rgb", "preetham", "neural-preetham", "neural-hosek-wilkie",
     "neural-hosek-wilkie-compact", "neural-hosek-wilkie-deep", "neural-hosek-wilkie-spectral", "perez-all-weather",
     "perez",
     *(f"cie-{kind}" for kind in range(1, 16)),
@@ -91,7 +91,7 @@ def test_every_model_gives_the_light_of_a_day(facts, when, name):
     assert light["global"] == pytest.approx(light["diffuse"] + light["direct"])
     overcast = name in ("moon-spencer", "uniform", *(f"cie-{kind}" for kind in range(1, 6)))
     assert (light["direct"] == 0) == (overcast or name == "perez")
-    coloured = name.startswith(("discrete", "nishita", "path", "hosek", "preetham", "neural"))
+    coloured = name.startswith(("physical", "discrete", "nishita", "path", "hosek", "preetham", "neural"))
     assert any("D65" in note for note in told["notes"]) != coloured
 
 
