@@ -99,12 +99,7 @@ RIGHT = {
 }  # fmt: skip
 
 
-WAITING = pytest.mark.xfail(reason="needs the limit of no diffuse light in PerezAllWeather", strict=False)
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=WAITING if RIGHT[name] is sun_shines else ()) for name in RIGHT]
-)
+@pytest.mark.parametrize("name", RIGHT)
 def test_a_case_gives_what_it_must(name, tmp_path, run_radiance):
     RIGHT[name](CASES / "weather" / name, tmp_path, run_radiance)
 
