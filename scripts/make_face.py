@@ -71,7 +71,8 @@ def text_below(name: str) -> str:
     """The string that stands below the assignment of a constant."""
     body = ast.parse(Path(import_module(skydome.WHERE[name]).__file__).read_text("utf-8")).body
     for assignment, below in pairwise(body):
-        if isinstance(assignment, ast.Assign) and name in [ast.unparse(target) for target in assignment.targets]:
+        targets = getattr(assignment, "targets", [getattr(assignment, "target", None)])
+        if name in [ast.unparse(target) for target in targets if target is not None]:
             return below.value.value
     raise ValueError(f"{name} is not told of in {skydome.WHERE[name]}")
 

@@ -16,7 +16,7 @@ catalogue = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(catalogue)
 
 SUNS = [0.5, 3.0, 20.0, 89.9, 90.0]
-TURN = np.arange(14.0)
+TURN = np.arange(14.0) % (2 * np.pi)
 VIEWS = np.concatenate(
     [sd.direction(TURN, np.linspace(0.03, 1.5, 14)), sd.direction(TURN[:3], np.zeros(3)), sd.ZENITH[None]]
 )
