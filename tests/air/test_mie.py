@@ -1,6 +1,6 @@
 """Mie theory over sizes: against miepython's own single spheres, Rayleigh's limit, and Preetham's printed table."""
 
-import builtins
+import sys
 
 import numpy as np
 import pytest
@@ -149,13 +149,6 @@ def test_particles_that_cannot_be(call, message):
 
 
 def test_without_miepython_it_says_what_to_install(monkeypatch):
-    there = builtins.__import__
-
-    def without(name, *arguments, **options):
-        if name == "miepython":
-            raise ImportError(name)
-        return there(name, *arguments, **options)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "miepython", None)
     with pytest.raises(ImportError, match=r'MieParticles needs miepython: pip install "skydome\[mie\]"'):
         MieParticles(Junge()).optics([550.0])
