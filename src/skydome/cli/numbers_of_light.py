@@ -84,7 +84,7 @@ def sky_rows(facts: dict[str, Any]) -> dict[str, str]:
         for each in facts["outside_ranges"]
     ]
     if not facts["valid"] and not told:
-        told = ["no light that the model knows: the sun has set, or nothing shines"]
+        told = ["no light that the model knows: the sun has set, nothing shines, or its formula is negative all over"]
     return rows | ({"not valid": "\n".join(told)} if told else {})
 
 

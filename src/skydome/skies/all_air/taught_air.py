@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from skydome.air.atmosphere import Atmosphere
+from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.profiles import STANDARD_1976, STRATOSPHERIC_LAYER
 from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
@@ -52,7 +52,7 @@ def clear_air(
     asymmetry: Any = 0.76,
     pressure: Any = 101325.0,
     ozone: Any = 330.0,
-    albedo: Any = 0.1,
+    albedo: Any = USUAL_ALBEDO,
     aerosol_albedo: Any = 0.92,
     angstrom: Any = 1.3,
     stratospheric_depth: Any = 0.006,
