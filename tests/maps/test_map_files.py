@@ -10,8 +10,8 @@ from skydome.ground import exr, hdr, png
 from skydome.ground.writing import appearing
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.loading import load, space_of
-from skydome.maps.projections import CubeMap, Equirectangular, Fisheye
+from skydome.maps.loading import load, space_of, stated_projection
+from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Equisolid, Fisheye
 
 FACTS = {
     "latitude": 45.07, "longitude": 7.69, "altitude": 240, "time": "2026-06-21T15:00+02:00",
@@ -70,19 +70,33 @@ def test_a_map_comes_back(suffix, space, tmp_path):
     assert exr.read(tmp_path / "again.exr")[1]["skydome:target"] in ("blender", "three")
 
 
-def test_half_floats_never_overflow(tmp_path):
+def test_half_floats_have_one_scale_for_all_files(tmp_path):
+    """Frames of a day must not jump: 100,000 cd m-2, whether the sun is in the map or not; another by choice."""
     original = sky(dtype=np.float64, white_luminance=2.0)
-    original.save(tmp_path / "sky.exr", half=True)
-    pixels, header = exr.read(tmp_path / "sky.exr", finite=True)
-    assert header["whiteLuminance"] == 2e5
-    assert 6550 < pixels.max() <= 65504
-    np.testing.assert_allclose(load(tmp_path / "sky.exr").luminance(), original.luminance(), rtol=1e-3, atol=0.02)
-    dim = sky(peak=60000.0)
-    dim.save(tmp_path / "dim.exr", half=True)
-    assert exr.read(tmp_path / "dim.exr")[1]["whiteLuminance"] == 1
+    for name, picture in (("sky", original), ("dim", sky(peak=60000.0))):
+        picture.save(tmp_path / f"{name}.exr", half=True)
+        header = exr.read(tmp_path / f"{name}.exr", finite=True)[1]
+        assert header["whiteLuminance"] == 1e5
+        back = load(tmp_path / f"{name}.exr").luminance()
+        np.testing.assert_allclose(back, picture.luminance(), rtol=1e-3, atol=0.05)
+    sky(peak=60000.0).save(tmp_path / "own.exr", half=True, white_luminance=1.0)
+    assert exr.read(tmp_path / "own.exr")[1]["whiteLuminance"] == 1
+    for suffix in (".exr", ".hdr"):
+        sky().save(tmp_path / f"own{suffix}", white_luminance=500.0)
+        assert load(tmp_path / f"own{suffix}").white_luminance == pytest.approx(500.0)
+        assert float(load(tmp_path / f"own{suffix}").illuminance()) == pytest.approx(
+            float(sky().illuminance()), rel=5e-3
+        )
+
+
+def test_half_floats_that_would_lose_light_are_refused(tmp_path):
     with pytest.raises(ValueError, match="must not exceed 65504 in this file, got 65505"):
         exr.write(tmp_path / "no.exr", {"RGB": np.full((2, 4, 3), 65505.0)}, half=True)
-    assert not (tmp_path / "no.exr").exists()
+    with pytest.raises(ValueError, match=r"half floats end at 65504, got 1.6e.06 .*; 100000 holds it"):
+        sky().save(tmp_path / "no.exr", half=True, white_luminance=1000.0)
+    with pytest.raises(ValueError, match=r"too coarse for light of at most 0.003 cd m-2 .*; 1e-07 suits it"):
+        EnvironmentMap(sky(peak=1.0).pixels * 1e-6).save(tmp_path / "no.exr", half=True)
+    assert not os.listdir(tmp_path)
 
 
 def test_only_maps_seen_from_inside_claim_to_be_latlong(tmp_path):
@@ -173,6 +187,13 @@ def test_wrong_requests(tmp_path):
     for request, words in [
         ({"path": "sky.tiff"}, r"must end in \.exr, \.hdr, \.png, got 'sky.tiff'"),
         ({"path": "sky.hdr", "half": True}, r"half floats exist in \.exr alone"),
+        (
+            {"path": "sky.png", "white_luminance": 2.0},
+            r"white luminance goes with \.exr and \.hdr alone, got 'sky.png'",
+        ),
+        ({"path": "sky.exr", "exposure": 2.0}, r"exposure goes with \.png alone, got 'sky.exr'"),
+        ({"path": "sky.exr", "white_luminance": 0.0}, "white luminance must be finite and more than 0, got 0"),
+        ({"path": "sky.exr", "gamut": "clip"}, "gamut must be one of white, none, got 'clip'"),
         ({"path": "sky.exr", "target": "maya"}, "target must be one of"),
         ({"path": "sky.exr", "target": "cube", "height": 100}, "multiple of 6"),
         ({"path": "sky.exr", "height": 33}, "multiple of 2"),
@@ -252,3 +273,72 @@ def test_primaries_of_files():
     assert space_of([0.7, 0.3, 0.2, 0.7, 0.1, 0.1, 0.3, 0.3], SRGB).green == (0.2, 0.7)
     with pytest.raises(ValueError, match="primaries must be eight numbers, got 3"):
         space_of([1.0, 2.0, 3.0], SRGB)
+
+
+PROJECTIONS = [
+    Equirectangular(azimuth_left=1.0, mirrored=True), CubeMap(), EqualAreaSquare(), Fisheye(2.0, Equisolid()),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("suffix", [".exr", ".hdr"])
+@pytest.mark.parametrize("layout", PROJECTIONS, ids=repr)
+def test_the_header_tells_the_layout(layout, suffix, tmp_path):
+    """What saving wrote is read back, so that nobody need say it again; a contradiction is refused."""
+    path = tmp_path / f"sky{suffix}"
+    EnvironmentMap(np.ones((*layout.shape(24), 3)), layout).save(path)
+    assert load(path).projection == layout
+    with pytest.raises(ValueError, match=r"says that its layout is .*, got blender; leave that out") as caught:
+        load(path, "blender")
+    one_line(caught)
+
+
+def test_layouts_that_are_the_same_do_not_contradict_and_silent_files_are_as_told(tmp_path):
+    sky().save(tmp_path / "sky.exr", target="usd")
+    assert load(tmp_path / "sky.exr", "mitsuba").projection == Equirectangular()
+    exr.write(tmp_path / "bare.exr", {"RGB": sky().pixels})
+    assert load(tmp_path / "bare.exr").projection == Equirectangular()
+    assert load(tmp_path / "bare.exr", "blender").projection.azimuth_left == 1.5 * np.pi
+    for words in ("__import__('os')", "Equirectangular(1, 2)", "Path(x=1)", "1 +"):
+        assert stated_projection({"skydome:projection": words}) is None
+
+
+def test_a_target_that_reads_one_space_gets_it(tmp_path):
+    """Mitsuba takes every number as Rec.709's: the light of an ACEScg map is turned into that."""
+    grey = EnvironmentMap(np.full((4, 8, 3), [1.0, 2.0, 3.0]), space=ACESCG)
+    grey.save(tmp_path / "sky.exr", target="mitsuba")
+    back = load(tmp_path / "sky.exr")
+    assert back.space == SRGB
+    np.testing.assert_allclose(back.pixels @ SRGB.to_xyz.T, grey.pixels @ ACESCG.to_xyz.T, rtol=1e-6)
+    grey.save(tmp_path / "sky.exr", target="blender")
+    assert load(tmp_path / "sky.exr").space == ACESCG
+
+
+@pytest.mark.parametrize("target", ["three"])
+def test_three_gets_half_floats_and_their_scale(target, tmp_path):
+    """Its loaders end at 65504, in .exr and .hdr: one scale, stated, keeps every texel below."""
+    import OpenEXR
+
+    for suffix in (".exr", ".hdr"):
+        sky().save(tmp_path / f"sky{suffix}", target=target)
+        back = load(tmp_path / f"sky{suffix}")
+        assert back.pixels.max() < 65504
+        assert back.white_luminance == pytest.approx(1e5)
+        assert float(back.illuminance()) == pytest.approx(float(sky().illuminance()), rel=5e-3)
+    assert OpenEXR.File(str(tmp_path / "sky.exr")).channels()["RGB"].pixels.dtype == np.float16
+
+
+def test_colours_outside_the_space_move_toward_white(tmp_path):
+    original = sky()
+    original.pixels[3, 4] = [4e4, 1.5e4, -1.7e4]
+    for suffix in (".exr", ".hdr"):
+        original.save(tmp_path / f"sky{suffix}")
+        back = load(tmp_path / f"sky{suffix}")
+        assert back.pixels.min() >= 0
+        tolerance = {".exr": 1e-6, ".hdr": 8e-3}[suffix]
+        np.testing.assert_allclose(back.luminance()[3, 4], original.luminance()[3, 4], rtol=tolerance)
+        assert "moved toward its white" in back.metadata["gamut"]
+    inside = np.ones((32, 64), bool)
+    inside[3, 4] = False
+    np.testing.assert_array_equal(load(tmp_path / "sky.exr").pixels[inside], original.pixels[inside])
+    original.save(tmp_path / "sky.exr", gamut="none")
+    np.testing.assert_array_equal(load(tmp_path / "sky.exr").pixels, original.pixels)

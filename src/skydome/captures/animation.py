@@ -102,6 +102,18 @@ class Animation:
         turned, height = PchipInterpolator(self.times, angles)(time)
         return np.asarray(direction(turned, height))
 
+    @property
+    def peak(self) -> float:
+        """More than any value of a frame: for a scale that all frames share."""
+        spot = np.pi * self.sun_width**2 / 3  # sr, of the spot's profile
+        suns = max(float(capture.sunlight.max()) for capture in self.captures) / spot
+        return 4 * max(suns, *(float(capture.calm.pixels.max()) for capture in self.captures))
+
+    @property
+    def sun_width(self) -> float:
+        """Radius of the round spot of the sun, rad."""
+        return float(max(SUN_WIDTH * np.pi / self.height, np.radians(0.27)))
+
     def frame(self, time: float) -> EnvironmentMap:
         """The map at a time, s after the first capture; ValueError outside the captures' span."""
         times = self.times
@@ -135,7 +147,7 @@ class Animation:
         """Add the sun's light (3,), cd m-2 sr, as a round spot about the sun, its energy exact; in place."""
         projection = self.captures[0].picture.projection
         texel = np.pi / self.height
-        width = max(SUN_WIDTH * texel, np.radians(0.27))
+        width = self.sun_width
         row, column, _ = projection.pixels(sun, self.height)
         rows, columns = pixels.shape[:2]
         reach = int(np.ceil(width / texel)) + 1

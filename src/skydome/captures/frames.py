@@ -15,6 +15,7 @@ from skydome.captures.capture_training import train_captures
 from skydome.captures.captures import MASK, Capture, read_captures
 from skydome.captures.sky_mask import write_mask
 from skydome.ground.writing import appearing, require_place
+from skydome.maps.files import half_white
 from skydome.skies.neural.files import load_network, save_network
 from skydome.skies.neural.network import Network
 from skydome.sun.place import Place
@@ -118,12 +119,13 @@ def write_frames(job: Job, animation: Any, tell: Tell) -> tuple[int, float | Non
     """Write what is missing: how many frames that were, and the largest change over the median one of those made."""
     times = np.linspace(animation.times[0], animation.times[-1], job.frames)
     written, changes, before = 0, [], None
+    white = half_white(animation.peak) if job.half else None
     for k, moment in enumerate(times):
         if job.frame_path(k).exists():
             before = None
             continue
         frame = animation.frame(moment)
-        frame.save(job.frame_path(k), half=job.half)
+        frame.save(job.frame_path(k), half=job.half, white_luminance=white)
         if before is not None:
             changes.append(change(before, frame.pixels))
         before, written = frame.pixels, written + 1

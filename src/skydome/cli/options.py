@@ -7,15 +7,13 @@ import inspect
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
-from typing import Annotated, Any, TypeVar, get_type_hints
+from typing import Annotated, Any, get_type_hints
 
 from typer import Option
 
 WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
 
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
-Target = Annotated[str, Option(help="Renderer whose layout the map has.")]
-Half = Annotated[bool, Option("--half/--float", help="16 bit or 32 bit floats in OpenEXR.")]
 
 
 @dataclass(frozen=True)
@@ -68,6 +66,10 @@ class SkyOptions(SunOptions):
         str, Option(metavar="raise|clamp|nan", help="What to do outside a model's ranges.", rich_help_panel=AIR)
     ] = "raise"
     no_sun: Annotated[bool, Option("--no-sun", help="Leave out the sun's disc.", rich_help_panel=AIR)] = False
+    sun_size: Annotated[
+        float | None,
+        Option(metavar="DEG", help="The disc's width, its light kept: 5 for soft shadows.", rich_help_panel=AIR),
+    ] = None
     direct_normal_irradiance: Annotated[
         float | None,
         Option("--dni", help="Direct normal irradiance, W m-2: sets the disc, and Perez's sky.", rich_help_panel=AIR),
@@ -126,21 +128,20 @@ class LandOptions(SkyOptions):
     model: ModelName = "discrete-ordinates"
 
 
-Chosen = TypeVar("Chosen", bound=SunOptions)
+def taking(*kinds: type) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Turn a command `f(options: kind, ...)` into one whose parameters are the fields of `kind` and its own others.
 
-
-def taking(kind: type[Chosen]) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Turn a command `f(options: kind, ...)` into one whose parameters are the fields of `kind` and its own others."""
+    Of several kinds it takes one each, in that order.
+    """
 
     def expanded(command: Callable[..., None]) -> Callable[..., None]:
-        names = [item.name for item in fields(kind)]
-
         def called(**values: Any) -> None:
-            options = kind(**{name: values.pop(name) for name in names})
-            command(options, **values)
+            groups = [kind(**{item.name: values.pop(item.name) for item in fields(kind)}) for kind in kinds]
+            command(*groups, **values)
 
-        own = list(inspect.signature(command).parameters.values())[1:]
-        parameters = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in (*own, *options_of(kind))]
+        own = list(inspect.signature(command).parameters.values())[len(kinds) :]
+        taken = [parameter for kind in kinds for parameter in options_of(kind)]
+        parameters = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in (*own, *taken)]
         called.__name__, called.__doc__ = command.__name__, command.__doc__
         called.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
         called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]

@@ -1,6 +1,7 @@
 """What is done with a whole dome of light: maps, integrals, patches, samples.
 
 - render        Maps of skies: the sky above, the ground below, the sun's energy exact
+- sun_on_map    The sun's disc on the texels of a map, its energy and its place kept
 - painting      The light of skies written into the pixels of a map, whole or some rows at a time
 - sky_rows      Rows of an equirectangular map of one sky, each row's factors once
 - network_rows  Rows of an equirectangular map of one neural sky, what a row shares goes into the biases

@@ -6,6 +6,7 @@ import numpy as np
 
 from skydome.dome.integrals import colourless, discs_and_rest, horizontal_xyz
 from skydome.dome.painting import paint_rows
+from skydome.dome.sun_on_map import add_disc
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum
@@ -15,12 +16,9 @@ from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import checked_out
 from skydome.skies.hosek_wilkie import channel_albedo
 from skydome.skies.sky import Sky
-from skydome.skies.suns.sun_disc import SunDisc
 
 USUAL_ALBEDO = 0.2
 """The ground's where neither caller nor sky tells it: dry land in the mean."""
-POINTS_PER_TEXEL = 4096
-LEAST_POINTS, MOST_POINTS = 4096, 1 << 18
 
 
 def render(
@@ -85,32 +83,3 @@ def ground_rgb(sky: ColourSky, albedo: Any, space: RGBSpace) -> np.ndarray:
     diffuse, direct = horizontal_xyz(sky)
     ground: np.ndarray = rgb_from_xyz(reflectance * (diffuse + direct) / np.pi, space)
     return ground
-
-
-def disc_points(disc: SunDisc, texel: float) -> int:
-    """How many points stand for the disc on texels of a solid angle, sr: thousands in every texel that it fills."""
-    texels = np.pi * float(disc.angular_radius) ** 2 / texel
-    return int(min(MOST_POINTS, max(LEAST_POINTS, POINTS_PER_TEXEL * texels)))
-
-
-def add_disc(
-    pixels: np.ndarray, disc: SunDisc, factor: float, projection: Projection, height: int, space: RGBSpace
-) -> None:
-    """Add the disc's light to the pixels: every point's flux goes to the texel that it falls in.
-
-    The sum of luminance x solid angle over the map is the disc's illuminance at every height. Points below the
-    horizon are dropped: of a sun that sets only the visible part remains.
-    """
-    if not bool(disc.is_day):
-        return
-    rows, columns = pixels.shape[:2]
-    angles = np.broadcast_to(projection.solid_angles(height), (rows, columns))
-    directions, light = disc.points(disc_points(disc, 4 * np.pi / (rows * columns)))
-    row, column, covered = projection.pixels(directions, height)
-    covered = covered & (directions[:, 2] >= 0)
-    index = row.astype(np.int64) * columns + column.astype(np.int64)
-    index, light = index[covered], rgb_from_xyz(light[covered], space) * factor
-    texels, place = np.unique(index, return_inverse=True)
-    flux = np.zeros((texels.size, 3))
-    np.add.at(flux, place, light)
-    pixels.reshape(-1, 3)[texels] += flux / angles.reshape(-1)[texels][:, None]

@@ -2,6 +2,7 @@
 
 - spectrum            Spectra and the CIE 1931 observer: from samples over wavelength to XYZ with Y in cd m-2
 - colour              Colour: CIE xyY, XYZ and linear or encoded RGB of the spaces in which sky images are kept
+- gamut               Colours that an RGB space cannot show, moved toward its white: luminance and hue kept
 - colour_temperature  Colour temperature: Planck's law, the nearest black body to a colour, and the distance to it
 - irradiance          Measured irradiances of sun and sky: their limits and the reasons
 - decomposition       Global irradiance split into diffuse and direct where it is all that was measured

@@ -1,25 +1,37 @@
 """Maps to files: which layout, which scale, and what the header says about the light, the place and the time."""
 
 import math
+from dataclasses import replace
 from datetime import datetime
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from skydome.ground import exr, hdr, png
 from skydome.ground.tone import Curve
-from skydome.light.colour import RGBSpace
+from skydome.light.colour import SRGB, RGBSpace
+from skydome.light.gamut import within_gamut
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
 from skydome.maps.preview import preview
+from skydome.maps.projection import Projection
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
 
 RADIANCE_EFFICACY = 179.0  # lm W-1 of white, Radiance's src/common/color.h
 PLACE = ("latitude", "longitude", "altitude")
+OWN = "skydome:"  # begins the names of what we alone write into headers
 FORMATS = (".exr", ".hdr", ".png")
+HALF_WHITE = 1e5
+"""cd m-2 of RGB (1, 1, 1) in half floats: they end at 65504, so at 6.6e9, the sun is near 1.6e9; one for all files."""
+COARSE = 0.01
+"""Share of a map's light that the rounding to half floats may move."""
+Gamut = Literal["white", "none"]
+"""What becomes of colours outside the RGB space: moved toward its white, or written as they are."""
+
+MOVED = "colours outside the RGB space moved toward its white, luminance kept"
 
 
 def save(
@@ -30,37 +42,101 @@ def save(
     height: int | None = None,
     exposure: float | None = None,
     curve: Curve | None = None,
+    white_luminance: float | None = None,
+    gamut: Gamut = "white",
 ) -> None:
     """Write a map to `path` (.exr, .hdr or .png), atomically, in the layout of a renderer where `target` names one.
 
-    .exr: RGB times whiteLuminance is cd m-2; with `half` the values are divided by the power of ten that makes the
-    peak fit 65504, and whiteLuminance is multiplied by it. .hdr: Radiance's W m-2 sr-1, cd m-2 / 179, EXPOSURE 1.
-    .png: a preview with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size.
+    .exr: RGB times whiteLuminance is cd m-2. `white_luminance` sets it; else it is the map's, and `HALF_WHITE` for
+    every file of half floats, so that the frames of a day have one scale. .hdr: Radiance's W m-2 sr-1, cd m-2 / 179,
+    EXPOSURE 1; with `white_luminance` values are cd m-2 over it, and EXPOSURE says so. Targets that keep half floats
+    alone (three) get them, at that scale. Colours outside the RGB space move toward white, luminance kept;
+    `gamut="none"` writes them as they are (.hdr then cuts at 0). Targets that read one space get it. .png: a preview
+    with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size.
     """
     suffix = Path(path).suffix.lower()
-    if suffix not in FORMATS:
-        raise ValueError(f"a map's file must end in {', '.join(FORMATS)}, got {Path(path).name!r}")
-    if half and suffix != ".exr":
-        raise ValueError(f"half floats exist in .exr alone, got {Path(path).name!r}")
     layout = None if target is None else target_named(target)
+    require_choices(path, half, white_luminance, exposure, gamut)
     if layout is not None or height is not None:
         environment = environment.resampled(layout.projection if layout else environment.projection, height)
+    if suffix == ".png":
+        png.write(path, preview(environment, exposure, curve), provenance(environment, layout))
+        return
+    environment = in_its_colours(environment, space_in_file(environment, path, layout), gamut)
     notes = provenance(environment, layout)
+    white = file_white(environment, path, layout, half, white_luminance) or environment.white_luminance
     if suffix == ".exr":
-        save_exr(environment, path, half, notes)
-    elif suffix == ".hdr":
-        save_hdr(environment, path, notes)
+        save_exr(environment, path, is_half(layout, half), white, notes)
     else:
-        png.write(path, preview(environment, exposure, curve), notes)
+        save_hdr(environment, path, white, notes)
 
 
-def save_exr(environment: MapPixels, path: str | PathLike[str], half: bool, notes: dict[str, Any]) -> None:
+def is_half(layout: Target | None, half: bool) -> bool:
+    """Whether light is kept in half floats: asked for, or all that the target has."""
+    return half or (layout is not None and layout.only_half)
+
+
+def file_white(
+    environment: MapPixels, path: str | PathLike[str], layout: Target | None, half: bool, given: float | None
+) -> float | None:
+    """cd m-2 of RGB (1, 1, 1) in the file; None for a .png, which is developed."""
+    suffix = Path(path).suffix.lower()
+    if suffix == ".png" or given is not None:
+        return given
+    if is_half(layout, half):
+        return HALF_WHITE
+    return environment.white_luminance if suffix == ".exr" else RADIANCE_EFFICACY
+
+
+def space_in_file(environment: MapPixels, path: str | PathLike[str], layout: Target | None) -> RGBSpace:
+    """The RGB space of the file: sRGB in a .png, else the map's where the target takes it."""
+    if Path(path).suffix.lower() == ".png":
+        return SRGB
+    return environment.space if layout is None or layout.takes(environment.space) else layout.spaces[0]
+
+
+def require_choices(
+    path: str | PathLike[str], half: bool, white_luminance: float | None, exposure: float | None, gamut: str
+) -> None:
+    """ValueError for choices that a file of that ending cannot have, before any work."""
+    name, suffix = Path(path).name, Path(path).suffix.lower()
+    if suffix not in FORMATS:
+        raise ValueError(f"a map's file must end in {', '.join(FORMATS)}, got {name!r}")
+    if half and suffix != ".exr":
+        raise ValueError(f"half floats exist in .exr alone, got {name!r}")
+    if gamut not in get_args(Gamut):
+        raise ValueError(f"gamut must be one of {', '.join(get_args(Gamut))}, got {gamut!r}")
+    for what, value, allowed in (
+        ("white luminance", white_luminance, (".exr", ".hdr")),
+        ("exposure", exposure, (".png",)),
+    ):
+        if value is not None and suffix not in allowed:
+            raise ValueError(f"{what} goes with {' and '.join(allowed)} alone, got {name!r}")
+        if value is not None and not 0 < value < math.inf:
+            raise ValueError(f"{what} must be finite and more than 0, got {value:g}")
+
+
+def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut) -> MapPixels:
+    """The map in that RGB space, its colours within the space unless `gamut` is "none"."""
+    environment = environment.in_space(space)
+    if gamut == "none":
+        return environment
+    pixels = within_gamut(environment.pixels, environment.space)
+    if pixels is environment.pixels:
+        return environment
+    return replace(environment, pixels=pixels, metadata={**environment.metadata, "gamut": MOVED})
+
+
+def save_exr(
+    environment: MapPixels, path: str | PathLike[str], half: bool, white: float, notes: dict[str, Any]
+) -> None:
     """OpenEXR, float or half, with place, time, unit and primaries in their own attributes."""
-    scale = half_scale(environment.pixels) if half else 1.0
-    pixels = environment.pixels if scale == 1 else environment.pixels / environment.pixels.dtype.type(scale)
+    pixels = scaled(environment, white)
+    if half:
+        require_half(pixels, white)
     header = {
-        **light_unit(environment.space, environment.white_luminance * scale),
-        "comments": f"RGB times {environment.white_luminance * scale:g} is luminance in cd m-2 (Y); texel centres.",
+        **light_unit(environment.space, white),
+        "comments": f"RGB times {white:g} is luminance in cd m-2 (Y); texel centres.",
         **{name: float(environment.metadata[name]) for name in PLACE if name in environment.metadata},
         **time_attributes(environment.metadata.get("time")),
         **notes,
@@ -69,19 +145,46 @@ def save_exr(environment: MapPixels, path: str | PathLike[str], half: bool, note
     exr.write(path, {"RGB": pixels}, header, half, latlong=seen_from_inside)
 
 
-def half_scale(pixels: np.ndarray) -> float:
-    """The smallest power of ten, 1 or more, that brings the largest value within half floats."""
-    peak = float(np.max(np.abs(pixels), initial=0.0))
-    return 10.0 ** max(0, math.ceil(math.log10(peak / exr.HALF_MAXIMUM))) if 0 < peak < math.inf else 1.0
+def scaled(environment: MapPixels, white: float) -> np.ndarray:
+    """The pixels in the unit in which (1, 1, 1) means `white` cd m-2."""
+    factor = environment.white_luminance / white
+    return environment.pixels if factor == 1 else environment.pixels * environment.pixels.dtype.type(factor)
 
 
-def save_hdr(environment: MapPixels, path: str | PathLike[str], notes: dict[str, Any]) -> None:
-    """Radiance picture: cd m-2 / 179 in the map's own primaries, stated in PRIMARIES."""
+def require_half(pixels: np.ndarray, white: float) -> None:
+    """ValueError where half floats in that unit would end below the light, or be too coarse for most of it."""
+    size = np.abs(pixels)
+    peak, total = float(size.max(initial=0.0)), float(size.sum(dtype=np.float64))
+    if peak > exr.HALF_MAXIMUM:
+        least = half_white(peak * white)
+        raise ValueError(
+            f"half floats end at {exr.HALF_MAXIMUM:g}, got {peak:g} at a white luminance of {white:g} cd m-2; "
+            f"{least:g} holds it"
+        )
+    lost = float(np.abs(pixels.astype(np.float16) - pixels.astype(np.float64)).sum())
+    if lost > COARSE * total:
+        best = half_white(peak * white)
+        raise ValueError(
+            f"half floats are too coarse for light of at most {peak * white:.3g} cd m-2 at a white luminance of "
+            f"{white:g} cd m-2; {best:g} suits it"
+        )
+
+
+def half_white(peak: float) -> float:
+    """The smallest power of ten, as cd m-2 of RGB (1, 1, 1), at which half floats hold light of `peak` cd m-2.
+
+    >>> half_white(1.6e9), half_white(60000.0)
+    (100000.0, 1.0)
+    """
+    return float(10.0 ** math.ceil(math.log10(peak / exr.HALF_MAXIMUM)))
+
+
+def save_hdr(environment: MapPixels, path: str | PathLike[str], white: float, notes: dict[str, Any]) -> None:
+    """Radiance picture: cd m-2 / `white` in the map's own primaries, as PRIMARIES says, Radiance's unit by EXPOSURE."""
     primaries = " ".join(f"{value:.4f}" for value in environment.space.chromaticities)
     place = {name: environment.metadata[name] for name in (*PLACE, "time") if name in environment.metadata}
-    header = {"SOFTWARE": "skydome", "EXPOSURE": 1.0, "PRIMARIES": primaries, **place, **notes}
-    factor = environment.pixels.dtype.type(environment.white_luminance / RADIANCE_EFFICACY)
-    hdr.write(path, environment.pixels * factor, header)
+    header = {"SOFTWARE": "skydome", "EXPOSURE": RADIANCE_EFFICACY / white, "PRIMARIES": primaries, **place, **notes}
+    hdr.write(path, scaled(environment, white), header)
 
 
 def light_unit(space: RGBSpace, white_luminance: float = 1.0) -> dict[str, Any]:
@@ -112,9 +215,14 @@ def provenance(environment: MapPixels, layout: Target | None) -> dict[str, Any]:
     """The remaining metadata and the layout, as `skydome:name` -> str or float."""
     facts = {name: plain(value) for name, value in environment.metadata.items() if name not in (*PLACE, "time")}
     facts |= {"projection": repr(environment.projection), "space": environment.space.name}
-    layout = layout or next((entry for entry in TARGETS if entry.projection == environment.projection), None)
+    layout = layout or layout_of(environment.projection)
     facts |= {"target": layout.name, "orientation": layout.note} if layout else {}
-    return {f"skydome:{name}": value for name, value in facts.items()}
+    return {f"{OWN}{name}": value for name, value in facts.items()}
+
+
+def layout_of(projection: Projection) -> Target | None:
+    """The first target with that projection, None where there is none."""
+    return next((entry for entry in TARGETS if entry.projection == projection), None)
 
 
 def plain(value: object) -> str | float:

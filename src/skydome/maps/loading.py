@@ -1,5 +1,6 @@
 """Maps from files: pixels, unit, primaries, place, time and provenance back out of the header."""
 
+import ast
 from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta, timezone
 from os import PathLike
@@ -10,41 +11,82 @@ import numpy as np
 
 from skydome.ground import exr, hdr
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
+from skydome.maps import projections
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.files import PLACE, RADIANCE_EFFICACY
+from skydome.maps.files import OWN, PLACE, RADIANCE_EFFICACY
 from skydome.maps.projection import Projection
 from skydome.maps.targets import target as target_named
 
 SPACES = (SRGB, REC2020, ACESCG, RADIANCE)
+LAYOUTS: dict[str, Any] = {name: getattr(projections, name) for name in projections.__all__}
 LAYOUT_NOTES = ("projection", "space", "target", "orientation")
 
 
-def load(path: str | PathLike[str], target: str = "native", projection: Projection | None = None) -> EnvironmentMap:
-    """The map in an .exr or .hdr file that is laid out as `target` says, or as `projection` where that is given.
+def load(path: str | PathLike[str], target: str | None = None, projection: Projection | None = None) -> EnvironmentMap:
+    """The map in an .exr or .hdr file, laid out as its own header says, else as `target` says (native unless given).
 
-    Its unit comes from whiteLuminance (.exr; 1 cd m-2 where the file is silent) or Radiance's 179 lm W-1 (.hdr), its
-    primaries, place, time and provenance from the header too: what `EnvironmentMap.save` wrote comes back. ValueError
-    for another ending, another target, a damaged file, NaN or infinity; OSError where there is no such file.
+    What `EnvironmentMap.save` wrote comes back: its layout, its unit from whiteLuminance (.exr; 1 cd m-2 where the file
+    is silent) or Radiance's 179 lm W-1 (.hdr), primaries, place, time and provenance. `projection` overrules both, for
+    files that were laid out anew by another program. ValueError for a `target` of another layout than the header's,
+    another ending, another target, a damaged file, NaN or infinity; OSError where there is no such file.
 
     >>> from tempfile import TemporaryDirectory
     >>> import skydome as sd
     >>> with TemporaryDirectory() as folder:
-    ...     sd.render(sd.Daylight(sd.Uniform(1000.0)), height=16).save(f"{folder}/sky.exr", target="blender")
-    ...     load(f"{folder}/sky.exr", target="blender").pixels.shape
-    (16, 32, 3)
+    ...     sd.render(sd.Daylight(sd.Uniform(1000.0)), height=16).save(f"{folder}/sky.exr", target="skylibs")
+    ...     load(f"{folder}/sky.exr").projection == sd.target("skylibs").projection
+    True
     """
     suffix = Path(path).suffix.lower()
-    layout = projection or target_named(target).projection
-    if suffix == ".exr":
-        return load_exr(path, layout)
-    if suffix == ".hdr":
-        return load_hdr(path, layout)
-    raise ValueError(f"a map's file must end in .exr or .hdr, got {Path(path).name!r}")
+    if target is not None:
+        target_named(target)
+    if suffix not in READERS:
+        raise ValueError(f"a map's file must end in {' or '.join(READERS)}, got {Path(path).name!r}")
+    return READERS[suffix](path, target, projection)
 
 
-def load_exr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
+def projection_of(
+    header: Mapping[str, Any], target: str | None, projection: Projection | None, path: str | PathLike[str]
+) -> Projection:
+    """The projection of a file with that header; ValueError where `target` contradicts it."""
+    if projection is not None:
+        return projection
+    wanted = None if target is None else target_named(target).projection
+    stated = stated_projection(header)
+    if wanted is None or stated is None:
+        return wanted or stated or target_named("native").projection
+    if wanted != stated:
+        name = header.get(f"{OWN}target", repr(stated))
+        raise ValueError(f"{Path(path).name} says that its layout is {name}, got {target}; leave that out")
+    return stated
+
+
+def stated_projection(header: Mapping[str, Any]) -> Projection | None:
+    """The layout that our own saving wrote into a header; None where it says nothing that can be read.
+
+    >>> stated_projection({"skydome:projection": "Equirectangular(azimuth_left=1.0, mirrored=False)"}).azimuth_left
+    1.0
+    """
+    try:
+        found = built(ast.parse(str(header[f"{OWN}projection"]), mode="eval").body)
+    except (KeyError, SyntaxError, TypeError, ValueError):
+        return None
+    return found if isinstance(found, Projection) else None
+
+
+def built(node: ast.expr) -> Any:
+    """A projection, a lens or a number from its own words; ValueError for anything else: nothing is executed."""
+    if not isinstance(node, ast.Call):
+        return ast.literal_eval(node)
+    if not isinstance(node.func, ast.Name) or node.func.id not in LAYOUTS or node.args:
+        raise ValueError(f"a layout must be one of {', '.join(LAYOUTS)}")
+    return LAYOUTS[node.func.id](**{str(word.arg): built(word.value) for word in node.keywords})
+
+
+def load_exr(path: str | PathLike[str], target: str | None, projection: Projection | None) -> EnvironmentMap:
     """The map in an OpenEXR file; sRGB primaries where the file names none."""
     pixels, header = exr.read(path, finite=True)
+    layout = projection_of(header, target, projection, path)
     facts: dict[str, Any] = {name: float(header[name]) for name in PLACE if name in header}
     moment = time_of(header)
     facts |= {"time": moment} if moment else {}
@@ -53,14 +95,18 @@ def load_exr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
     return EnvironmentMap(pixels, layout, space, facts | notes_of(header), white if white > 0 else 1.0)
 
 
-def load_hdr(path: str | PathLike[str], layout: Projection) -> EnvironmentMap:
+def load_hdr(path: str | PathLike[str], target: str | None, projection: Projection | None) -> EnvironmentMap:
     """The map in a Radiance picture; Radiance's own primaries where the file names none."""
     pixels, text = hdr.read(path)
+    layout = projection_of(text, target, projection, path)
     stated = [float(value) for value in text["PRIMARIES"].split()] if "PRIMARIES" in text else None
     facts = {name: float(text[name]) for name in PLACE if name in text} | notes_of(text)
     facts |= {"time": text["time"]} if "time" in text else {}
     white = RADIANCE_EFFICACY / float(text["EXPOSURE"])
     return EnvironmentMap(pixels, layout, space_of(stated, RADIANCE), facts, white)
+
+
+READERS = {".exr": load_exr, ".hdr": load_hdr}
 
 
 def space_of(chromaticities: Sequence[float] | None, silent: RGBSpace) -> RGBSpace:
@@ -78,7 +124,7 @@ def space_of(chromaticities: Sequence[float] | None, silent: RGBSpace) -> RGBSpa
 
 def notes_of(header: Mapping[str, Any]) -> dict[str, Any]:
     """The provenance in a header, without what its saving added about the layout."""
-    notes = {name.removeprefix("skydome:"): value for name, value in header.items() if name.startswith("skydome:")}
+    notes = {name.removeprefix(OWN): value for name, value in header.items() if name.startswith(OWN)}
     return {name: value for name, value in notes.items() if name not in LAYOUT_NOTES}
 
 

@@ -48,6 +48,13 @@ class MapPixels:
         brightness: np.ndarray = self.pixels @ weights
         return brightness
 
+    def in_space(self, space: RGBSpace) -> Self:
+        """The same light in another RGB space; itself where it is in that one."""
+        if space == self.space:
+            return self
+        matrix = (self.space.to_xyz.T @ space.from_xyz.T).astype(self.pixels.dtype)
+        return replace(self, pixels=self.pixels @ matrix, space=space)
+
     def resampled(self, projection: Projection, height: int | None = None) -> Self:
         """The map in another layout and height (default: texels of about the same size), light conserved."""
         return replace(

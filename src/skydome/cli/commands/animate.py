@@ -6,7 +6,8 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
-from skydome.cli.options import AsJson, Half
+from skydome.cli.map_file import Half
+from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
 Layout = Annotated[

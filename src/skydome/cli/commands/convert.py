@@ -5,42 +5,47 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from skydome.cli.commands.render import file_facts, file_rows
-from skydome.cli.doors import progress, require_output
-from skydome.cli.options import AsJson, Half, Target
+from skydome.cli.doors import progress
+from skydome.cli.map_file import FileOptions, file_facts, file_rows
+from skydome.cli.numbers_of_light import notes_row
+from skydome.cli.options import AsJson, taking
 from skydome.cli.printing import show
 
-From = Annotated[str, Option("--from", help="The layout of the file that is read: a renderer, as for --target.")]
+From = Annotated[
+    str | None,
+    Option("--from", help="The layout of the file that is read, where its header is silent. [default: native]"),
+]
 
 
+@taking(FileOptions)
 def convert(
+    file: FileOptions,
     source: Annotated[Path, Argument(help="A map to read: .exr or .hdr.", metavar="IN")],
     output: Annotated[Path, Option("--output", "-o", help="The map to write: .exr, .hdr, or .png for a preview.")],
-    target: Target = "native",
-    layout: From = "native",
+    layout: From = None,
     height: Annotated[int | None, Option(help="Rows. [default: texels of about the same size]")] = None,
-    half: Half = False,
     as_json: AsJson = False,
 ) -> None:
     """Bring a map into another renderer's layout, its light conserved."""
-    import skydome as sd
-    from skydome.maps.files import FORMATS
+    from skydome.maps.files import layout_of
     from skydome.maps.loading import load
 
-    wanted = sd.target(target)
-    sd.target(layout)
-    require_output(output, "a map's file", FORMATS)
-    picture = load(source, target=layout)
+    wanted = file.layout(output)
+    picture = load(source, layout)
     rows = picture.height_in(wanted.projection) if height is None else height
     with progress(f"resampling to {rows} rows"):
         result = picture.resampled(wanted.projection, rows)
-        result.save(output, target=target, half=half)
+        result.save(output, **file.choices)
+    found = layout_of(picture.projection)
     before, after = float(picture.illuminance()), float(result.illuminance())
     facts = {
         "source": str(source),
-        "from": layout,
+        "from": layout or (found.name if found else repr(picture.projection)),
         "illuminance_lx": {"source": before, "file": after},
-        **file_facts(output, result.pixels.shape, wanted, result.space.name),
+        **file_facts(output, result, wanted, file),
     }
-    rows_shown = {"source": f"{source} ({layout})", "global horizontal": f"{before:,.0f} lx before, {after:,.0f} after"}
-    show(facts, rows_shown | file_rows(facts), as_json)
+    rows_shown = {
+        "source": f"{source} ({facts['from']})",
+        "global horizontal": f"{before:,.0f} lx before, {after:,.0f} after",
+    }
+    show(facts, rows_shown | file_rows(facts) | notes_row(facts["notes"]), as_json)

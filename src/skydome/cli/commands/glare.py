@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Argument, Option
 
+from skydome.cli.commands.convert import From
 from skydome.cli.doors import progress, require_picture
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
@@ -43,9 +44,7 @@ def glare(
         float | None, Option(help="Factor from cd m-2 to middle grey 0.18. [default: by the view]")
     ] = None,
     white: Annotated[float | None, Option(help="cd m-2 of RGB (1, 1, 1), where the file does not tell.")] = None,
-    target: Annotated[
-        str, Option("--from", help="Layout of the map: a renderer, as `skydome convert` has it.")
-    ] = "native",
+    target: From = None,
     lens_flare: Annotated[bool, Option("--lens-flare", help="Through a camera's lens instead of an eye.")] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -93,7 +92,7 @@ def eye_of(age: float, iris: str | None, pupil: float | None, spread: str | None
     return Eye(age, pupil=pupil, spread=chosen, needles=needles)
 
 
-def bright_map(path: Path, target: str, white: float | None) -> "EnvironmentMap":
+def bright_map(path: Path, target: str | None, white: float | None) -> "EnvironmentMap":
     """The map in a file, in cd m-2; ValueError where the file cannot hold a sun's light, or does not tell its unit."""
     from dataclasses import replace
 

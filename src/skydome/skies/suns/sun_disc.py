@@ -5,8 +5,8 @@ radius 0.255 degrees | 0.2666 degrees, or by the Earth-Sun distance of a date | 
 limb polynomial with centre 1 | the same | the disc's mean is then 0.70-0.85 of the tabulated radiance: see the docs
 """
 
-from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -86,8 +86,9 @@ class SunDisc(SunlitSky, SpectralSky):
     """The sun's disc toward `sun`, seen through air of a turbidity 1-10; add it to a sky: `sky + SunDisc.of(sky)`.
 
     `angular_radius` in radians (`skydome.solar_radius(time)` gives the day's: 7 % of the light between January and
-    July). `direct_normal_illuminance`, lx, sets the level and keeps the spectrum. Maps integrate the disc over texels:
-    its energy is right at every resolution.
+    July). `direct_normal_illuminance`, lx, sets the level and keeps the spectrum. Without it the radiance is the
+    published one: a disc of another `angular_radius` has more or less light. `of_size` changes the size alone, as
+    softer shadows want it. Maps integrate the disc over texels: its energy is right at every resolution.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
@@ -129,6 +130,17 @@ class SunDisc(SunlitSky, SpectralSky):
                 return cls(lit.sun, known, radius, direct_normal_illuminance=level, check=part.check)
         name = type(sky).__name__
         raise TypeError(f"{name} does not tell how bright its sun is; give skydome.SunDisc(sun, turbidity=...)")
+
+    def of_size(self, angular_radius: Any) -> Self:
+        """The same light from a disc of another angular radius, rad: illuminance kept, radiance thinned to fit.
+
+        >>> import skydome as sd
+        >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg)
+        >>> wide = sd.SunDisc(sun, turbidity=3.0).of_size(5 * sd.deg)
+        >>> round(float(wide.illuminance(sun)), -2)
+        83600.0
+        """
+        return replace(self, angular_radius=angular_radius, direct_normal_illuminance=self.normal_xyz[..., 1])
 
     @property
     def haze(self) -> Any:

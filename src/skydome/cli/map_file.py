@@ -1,0 +1,97 @@
+"""The file of a map: what the options ask of it, its writing, and what is said of it."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+from typer import Option
+
+if TYPE_CHECKING:
+    from skydome.maps.environment_map import EnvironmentMap
+    from skydome.maps.targets import Target
+
+Half = Annotated[bool, Option("--half/--float", help="16 bit or 32 bit floats in OpenEXR.")]
+
+
+@dataclass(frozen=True)
+class FileOptions:
+    """How a map is written. None: not given."""
+
+    target: Annotated[str, Option(help="Renderer whose layout the map has.")] = "native"
+    half: Half = False
+    white_luminance: Annotated[
+        float | None,
+        Option(help="cd m-2 of RGB (1, 1, 1) in the file. [default: 1; 100000 in half floats; 179 in .hdr]"),
+    ] = None
+    exposure: Annotated[float | None, Option(help="Of a .png, per cd m-2. [default: by its content]")] = None
+    gamut: Annotated[
+        str,
+        Option(
+            metavar="white|none", help="Colours outside the RGB space: toward white, luminance kept, or as they are."
+        ),
+    ] = "white"
+
+    @property
+    def choices(self) -> dict[str, Any]:
+        """As `EnvironmentMap.save` takes them."""
+        return dict(vars(self))
+
+    def layout(self, output: Path) -> "Target":
+        """The target; ValueError or OSError, before any work, for what such a file cannot have."""
+        from skydome.cli.doors import require_output
+        from skydome.maps.files import FORMATS, require_choices
+        from skydome.maps.targets import target
+
+        require_output(output, "a map's file", FORMATS)
+        require_choices(output, self.half, self.white_luminance, self.exposure, self.gamut)
+        return target(self.target)
+
+
+def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options: FileOptions) -> dict[str, Any]:
+    """What was written: its size, where the renderer has north, its colours and unit, and notes on them."""
+    from skydome.maps.files import file_white, space_in_file
+
+    rows, columns, _ = picture.pixels.shape
+    suffix, space = path.suffix.lower(), space_in_file(picture, path, layout)
+    return {
+        "file": str(path),
+        "bytes": path.stat().st_size,
+        "height": rows,
+        "width": columns,
+        "target": layout.name,
+        "orientation": layout.note,
+        "space": space.name,
+        "white_luminance_cd_m2": file_white(picture, path, layout, options.half, options.white_luminance),
+        "exposure": options.exposure,
+        "notes": [] if suffix == ".png" else colour_notes(picture, space, options.gamut),
+    }
+
+
+def colour_notes(picture: "EnvironmentMap", space: Any, gamut: str) -> list[str]:
+    """What became of the map's colours on their way into a file in that RGB space."""
+    from skydome.light.gamut import outside
+
+    notes = []
+    if space != picture.space:
+        notes.append(f"space: turned from {picture.space.name} into {space.name}, the one that the target reads")
+    count = int(outside(picture.in_space(space).pixels).sum())
+    if count and gamut == "none":
+        notes.append(f"gamut: {count:,} texels have negative parts, colours outside {space.name} (--gamut none)")
+    elif count:
+        notes.append(f"gamut: {count:,} texels outside {space.name} moved toward white, luminance kept (--gamut)")
+    return notes
+
+
+def file_rows(facts: dict[str, Any]) -> dict[str, str]:
+    """The same for people, without the notes."""
+    size = f"{facts['width']} x {facts['height']}, {facts['space']}, {facts['bytes'] / 1e6:.1f} MB"
+    white = facts["white_luminance_cd_m2"]
+    unit = {} if white is None else {"unit": f"RGB times {white:g} is cd m-2"}
+    exposure = {} if facts["exposure"] is None else {"exposure": f"{facts['exposure']:g} per cd m-2"}
+    return {
+        "file": facts["file"],
+        "size": size,
+        **unit,
+        **exposure,
+        "target": f"{facts['target']}: {facts['orientation']}",
+    }

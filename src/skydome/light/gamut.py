@@ -1,0 +1,35 @@
+"""Colours that an RGB space cannot show, moved toward its white until it can: luminance and hue kept."""
+
+import numpy as np
+
+from skydome.light.colour import RGBSpace
+
+
+def outside(rgb: np.ndarray) -> np.ndarray:
+    """True where a colour (..., 3) lies outside its space: a part is below 0; boolean (...,)."""
+    low: np.ndarray = rgb.min(axis=-1) < 0
+    return low
+
+
+def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
+    """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none, else a copy.
+
+    A colour moves along the straight line to the white of its own luminance, to where its lowest part is 0: luminance
+    stays, and so does the dominant wavelength, which is such a line in CIE x, y. Black where the luminance is not
+    positive. What lay inside keeps every bit.
+
+    >>> from skydome.light.colour import SRGB
+    >>> seen = within_gamut(np.array([2.0, 1.0, -0.5]), SRGB)
+    >>> float(seen.min()), bool(np.isclose(seen @ SRGB.to_xyz[1], [2.0, 1.0, -0.5] @ SRGB.to_xyz[1]))
+    (0.0, True)
+    """
+    low = outside(rgb)
+    if not low.any():
+        return rgb
+    colours = rgb[low].astype(np.float64)
+    white = np.maximum(colours @ space.to_xyz[1], 0.0)[:, None]
+    least = colours.min(axis=-1, keepdims=True)
+    moved = white * (colours - least) / (white - least)  # the way is -least / (white - least) of the whole
+    result = rgb.copy()
+    result[low] = moved
+    return result
