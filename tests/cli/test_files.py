@@ -108,3 +108,75 @@ def test_help_imports_nothing_heavy():
     code = "import sys, skydome.cli.main; print(sorted({'numpy', 'pvlib', 'matplotlib', 'rich'} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_file_tells_its_layout_and_contradictions_are_refused(facts, refused, when, tmp_path):
+    """blender -> mitsuba without a word about blender: the sun stands where it stood, 90 degrees off before."""
+    a, b = tmp_path / "a.exr", tmp_path / "b.hdr"
+    told = facts("render", *when, "--height", 64, "--target", "blender", "-o", a)
+    there = facts("convert", a, "--target", "mitsuba", "-o", b)
+    assert there["from"] == "blender"
+    picture = load(b)
+    row, column = np.unravel_index(np.argmax(picture.luminance()), (64, 128))
+    toward = picture.projection.toward(row + 0.5, column + 0.5, 64)
+    sun = sd.direction(told["sun"]["azimuth_deg"] * deg, told["sun"]["elevation_deg"] * deg)
+    assert float(sd.angle_between(toward, sun)) < 2.9 * deg
+    again = facts("convert", b, "--from", "usd", "-o", tmp_path / "c.exr")  # usd's layout is mitsuba's
+    assert again["illuminance_lx"]["file"] == pytest.approx(told["illuminance_lx"]["global"], rel=5e-3)
+    assert "says that its layout is blender, got mitsuba" in refused("convert", a, "--from", "mitsuba", "-o", b)
+    assert "says that its layout is mitsuba, got blender" in refused(
+        "glare", b, "--view", "180,20", "--from", "blender"
+    )
+
+
+@pytest.mark.parametrize("suffix", ["exr", "hdr"])
+def test_glare_looks_where_the_file_says(facts, tmp_path, suffix):
+    seen = {}
+    for target in ("native", "blender", "skylibs"):
+        path = tmp_path / f"{target}.{suffix}"
+        facts("render", "--sun", "180,40", "--height", 128, "--target", target, "-o", path)
+        seen[target] = facts("glare", path, "--view", "180,20")["vertical_illuminance_lx"]
+    assert seen["blender"] == pytest.approx(seen["native"], rel=1e-3)
+    assert seen["skylibs"] == pytest.approx(seen["native"], rel=1e-3)
+
+
+def test_scale_gamut_and_exposure_are_told(facts, refused, tmp_path):
+    low, exr, hdr, png = ("--sun", "180,2", "--height", 64), *(tmp_path / f"sky.{end}" for end in ("exr", "hdr", "png"))
+    assert facts("render", *low, "-o", exr)["white_luminance_cd_m2"] == 1
+    assert facts("render", *low, "--half", "-o", exr)["white_luminance_cd_m2"] == 1e5
+    assert facts("render", *low, "--half", "--no-sun", "-o", exr)["white_luminance_cd_m2"] == 1e5
+    assert facts("render", *low, "--half", "--white-luminance", 5e5, "-o", exr)["white_luminance_cd_m2"] == 5e5
+    assert load(exr).white_luminance == 5e5
+    told = facts("render", "--sun", "180,1", "--height", 64, "-o", hdr)
+    assert any("moved toward white, luminance kept" in note for note in told["notes"])
+    assert float(load(hdr).illuminance()) == pytest.approx(told["illuminance_lx"]["global"], rel=0.01)
+    raw = facts("render", "--sun", "180,1", "--height", 64, "--gamut", "none", "-o", exr)
+    assert any("negative parts" in note for note in raw["notes"])
+    assert load(exr).pixels.min() < -1000
+    dark, bright = (pixels_of(facts, low, png, exposure) for exposure in (1e-5, 1e-4))
+    assert dark.mean() < bright.mean()
+    assert "must be finite and more than 0" in refused("render", *low, "--exposure", -1, "-o", png)
+    assert "must be one of white, none" in refused("render", *low, "--gamut", "clip", "-o", exr)
+
+
+def pixels_of(facts, low, path, exposure):
+    assert facts("render", *low, "--exposure", exposure, "-o", path)["exposure"] == exposure
+    with Image.open(path) as image:
+        return np.asarray(image).astype(float)
+
+
+@pytest.mark.parametrize(("target", "space"), [("mitsuba", "acescg"), ("three", "rec2020"), ("pbrt", "acescg")])
+def test_a_space_that_the_target_would_misread_is_refused(refused, tmp_path, target, space):
+    line = refused("render", "--sun", "180,40", "--space", space, "--target", target, "-o", tmp_path / "sky.exr")
+    assert f"--space for {target}, which reads its numbers in no other, must be srgb" in line
+
+
+def test_a_larger_sun_has_the_same_light(facts, refused, tmp_path):
+    sky = ("render", "--sun", "180,40", "--height", 256, "-o", tmp_path / "sky.exr")
+    plain, wide = facts(*sky), facts(*sky, "--sun-size", 5)
+    assert wide["illuminance_lx"] == pytest.approx(plain["illuminance_lx"])
+    picture = load(tmp_path / "sky.exr")
+    assert float(picture.illuminance()) == pytest.approx(plain["illuminance_lx"]["global"], rel=2e-3)
+    assert 52 <= np.count_nonzero(picture.luminance() > 1e6) < 80  # pi (2.5 / .703)^2 / cos(40 degrees) = 52
+    assert "must lie in [0.01, 11] degrees, got 20" in refused(*sky, "--sun-size", 20)
+    assert "this sky has none" in refused(*sky, "--no-sun", "--sun-size", 5)

@@ -6,6 +6,7 @@
 - models            The sky models by name, which class, which options it takes, its usual level
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
+- map_file          The file of a map, what the options ask of it, its writing, and what is said of it
 - doors             Which files may be written, and what is shown on stderr while one waits
 - printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone

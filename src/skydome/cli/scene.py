@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from skydome.skies.sky import Sky
     from skydome.skies.suns.sun_disc import SunDisc
 
+LEAST_WIDTH, MOST_WIDTH = 0.01, 11.0
+"""What --sun-size takes, degrees: the true sun has 0.533."""
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -35,7 +38,8 @@ def scene_of(options: SkyOptions) -> Scene:
     sky, notes = build(model, moment, options)
     coloured, more = in_colour(sky, options)
     disc, last = disc_for(model, coloured, moment, options)
-    notes += more + last
+    disc, size = of_size(disc, options.sun_size)
+    notes += more + last + size
     overcast = None
     if options.blend_overcast is not None:
         overcast, note = overcast_for(moment, options)
@@ -110,6 +114,19 @@ def disc_for(
         return None, [f"sun's disc: none, {model.name} does not tell it; give --turbidity or --dni"]
     disc = sd.SunDisc(moment.direction, turbidity, moment.radius, check=require_check(options.check))
     return disc, [f"sun's disc: a clear day's of turbidity {turbidity:g}"]
+
+
+def of_size(disc: "SunDisc | None", width: float | None) -> "tuple[SunDisc | None, list[str]]":
+    """The disc of --sun-size, degrees across, with the light that it had."""
+    import skydome as sd
+
+    if width is None:
+        return disc, []
+    if not LEAST_WIDTH <= width <= MOST_WIDTH:
+        raise ValueError(f"--sun-size must lie in [{LEAST_WIDTH:g}, {MOST_WIDTH:g}] degrees, got {width:g}")
+    if disc is None:
+        raise ValueError(f"--sun-size {width:g} needs a sun's disc, and this sky has none")
+    return disc.of_size(width / 2 * sd.deg), [f"sun's disc: {width:g} degrees across, its illuminance kept"]
 
 
 def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, str]":
