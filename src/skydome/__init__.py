@@ -50,6 +50,7 @@ HOME = {
     "skies.path_tracing.sky": "PathTraced",
     "skies.series": "luminance_series",
     "dome.render": "render",
+    "dome.render_pixels": "render_pixels",
     "dome.integrals": "illuminance irradiance",
     "dome.patch_means": "patch_means",
     "dome.harmonics": "SphericalHarmonics",

@@ -14,6 +14,7 @@ from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
 from skydome.dome.patch_means import patch_means as patch_means
 from skydome.dome.render import render as render
+from skydome.dome.render_pixels import render_pixels as render_pixels
 from skydome.dome.sampling import SkySampler as SkySampler
 from skydome.dome.sampling import sample as sample
 from skydome.dome.sampling import sample_density as sample_density

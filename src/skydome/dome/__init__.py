@@ -1,13 +1,15 @@
 """What is done with a whole dome of light: maps, integrals, patches, samples.
 
-- render        Maps of skies: the sky above, the ground below, the sun's energy exact
-- sun_on_map    The sun's disc on the texels of a map, its energy and its place kept
-- painting      The light of skies written into the pixels of a map, whole or some rows at a time
-- sky_rows      Rows of an equirectangular map of one sky, each row's factors once
-- network_rows  Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
-- integrals     Integrals of the dome: what light falls on a plane
-- patches       The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
-- patch_means   The mean light of each patch of the sky, to a stated error: finer where the sky is steep
-- harmonics     Skies as spherical harmonics, smooth light in few numbers
-- sampling      Random directions toward the light of a sky, with their probability densities
+- render         Maps of skies: the sky above, the ground below, the sun's energy exact
+- render_pixels  Maps of one sky or many in the library of their parameters, differentiable
+- sun_on_map     The sun's disc on the texels of a map, its energy and its place kept
+- ground_light   The ground of a map, a Lambertian plane under its sky
+- painting       The light of skies written into the pixels of a map, whole or some rows at a time
+- sky_rows       Rows of an equirectangular map of one sky, each row's factors once
+- network_rows   Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
+- integrals      Integrals of the dome: what light falls on a plane
+- patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
+- patch_means    The mean light of each patch of the sky, to a stated error: finer where the sky is steep
+- harmonics      Skies as spherical harmonics, smooth light in few numbers
+- sampling       Random directions toward the light of a sky, with their probability densities
 """

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arguments import require_kind
-from skydome.ground.arrays import Array, Constant, at_least, constant, floating, is_array, namespace
+from skydome.ground.arrays import Array, Constant, at_least, constant, floating, is_array, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
@@ -127,17 +127,25 @@ def irradiance(sky: Sky, wavelengths: Any, normal: Any = ZENITH, *, ground_albed
     return total[..., 0, :] if single else total
 
 
-def horizontal_xyz(sky: ColourSky) -> tuple[np.ndarray, np.ndarray]:
-    """CIE XYZ of the light on the horizontal from one sky and from its sun, Y in lx, each (3,): diffuse and direct."""
-    nodes, weights = projected(ZENITH, ZENITH)
+def horizontal_xyz(sky: ColourSky) -> tuple[Array, Array]:
+    """CIE XYZ of the light on the horizontal from a sky and from its sun, Y in lx, each (..., 3): diffuse and direct.
+
+    A sky of shape (T, 1) gives (T, 3).
+    """
+    like = own_array(sky)
+    zenith = ZENITH if like is None or is_numpy(like) else constant(ZENITH, like)
+    nodes, weights = projected(zenith, zenith)
     discs, rest = discs_and_rest(sky)
-    diffuse, direct = np.zeros(3), np.zeros(3)
+    diffuse, direct = zenith * 0.0, zenith * 0.0
     for part in rest:
         if not isinstance(part, ColourSky):
             raise TypeError(colourless(part))
-        diffuse = diffuse + weights @ part.xyz(nodes)
+        light = part.xyz(nodes)
+        diffuse = diffuse + namespace(light).astype(weights, light.dtype) @ light
     for disc, factor in discs:
-        direct = direct + disc.normal_xyz * factor * max(0.0, float(floating(disc.sun)[2]))
+        sun = floating(disc.sun)
+        light = disc.normal_xyz * floating(factor, like=sun)[..., None] * at_least(sun[..., 2:], 0.0)
+        direct = direct + (light[..., 0, :] if light.ndim > 1 else light)
     return diffuse, direct
 
 

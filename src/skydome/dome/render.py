@@ -1,24 +1,22 @@
 """Maps of skies: the sky above, the ground below, the sun's energy exact."""
 
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
-from skydome.dome.integrals import colourless, discs_and_rest, horizontal_xyz
+from skydome.dome.ground_light import ground_rgb
+from skydome.dome.integrals import colourless, discs_and_rest, own_array
 from skydome.dome.painting import paint_rows
 from skydome.dome.sun_on_map import add_disc
+from skydome.ground.arrays import as_numpy, constant, is_array, is_numpy
 from skydome.ground.directions import ZENITH
-from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
-from skydome.light.spectrum import Spectrum
+from skydome.light.colour import SRGB, RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import checked_out
-from skydome.skies.hosek_wilkie import channel_albedo
 from skydome.skies.sky import Sky
-
-USUAL_ALBEDO = 0.2
-"""The ground's where neither caller nor sky tells it: dry land in the mean."""
 
 
 def render(
@@ -38,9 +36,10 @@ def render(
     the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`
     or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the
     texels that it covers, its energy kept. TypeError for a sky without colour; ValueError for a height that
-    the projection cannot take, or for a sky of more than one condition. `out` (rows, columns, 3) is overwritten and
-    becomes the map's pixels: no new memory for the next frame. float32 maps of a million sky values or more take
-    compiled kernels where Numba is installed. Memory: the map and about 25 MB.
+    the projection cannot take, or for a sky of more than one condition. PyTorch and JAX skies are painted by NumPy and
+    lose their gradients: `render_pixels` keeps them, and takes many skies at once. `out` (rows, columns, 3) is
+    overwritten and becomes the map's pixels: no new memory for the next frame. float32 maps of a million sky values or
+    more take compiled kernels where Numba is installed. Memory: the map and about 25 MB.
 
     >>> import skydome as sd
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)
@@ -51,35 +50,39 @@ def render(
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
     require_one_condition(sky)
-    discs, rest = discs_and_rest(sky)
+    shown: ColourSky = in_numpy(sky)
+    discs, rest = discs_and_rest(shown)
     rows, columns = projection.shape(height)
     pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
     if not isinstance(projection, Equirectangular):
         pixels[...] = 0.0  # texels that the layout does not use stay black
-    ground = ground_rgb(sky, ground_albedo, space)
+    ground = ground_rgb(shown, ground_albedo, space)
     paint_rows(pixels, rest, ground, projection, height, space, slice(0, rows))
     for disc, factor in discs:
         add_disc(pixels, disc, float(factor), projection, height, space)
-    provenance = {"model": sky.parameters()} | (metadata or {})
+    provenance = {"model": shown.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
 
 
 def require_one_condition(sky: Sky) -> None:
     """ValueError unless the sky's parameters are single numbers."""
-    shape = tuple(sky.luminance(ZENITH).shape)
+    like = own_array(sky)
+    shape = tuple(sky.luminance(ZENITH if like is None else constant(ZENITH, like)).shape)
     if shape:
-        raise ValueError(f"a map shows one sky at a time: parameters must be single numbers, got shape {shape}")
+        raise ValueError(
+            "a map shows one sky at a time: parameters must be single numbers, got shape "
+            f"{shape}; skydome.render_pixels gives one map a sky"
+        )
 
 
-def ground_rgb(sky: ColourSky, albedo: Any, space: RGBSpace) -> np.ndarray:
-    """RGB of a Lambertian ground under the sky, (3,): albedo x global illuminance / pi, channel by channel."""
-    albedo = sky.albedo if albedo is None else albedo
-    albedo = USUAL_ALBEDO if albedo is None else albedo
-    if not isinstance(albedo, Spectrum) and np.ndim(albedo) != 0:
-        raise ValueError(f"ground_albedo must be a number or a Spectrum, got shape {np.shape(albedo)}")
-    reflectance = channel_albedo(albedo, "xyz", np.zeros(3))
-    if not ((reflectance >= 0) & (reflectance <= 1)).all():
-        raise ValueError(f"ground_albedo must lie in [0, 1], got {albedo}")
-    diffuse, direct = horizontal_xyz(sky)
-    ground: np.ndarray = rgb_from_xyz(reflectance * (diffuse + direct) / np.pi, space)
-    return ground
+def in_numpy(value: Any) -> Any:
+    """A sky, or a parameter of one, with NumPy arrays in place of PyTorch's or JAX's; itself where it has none."""
+    if isinstance(value, Sky):
+        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}
+        changed = {name: new for name, old in held.items() if (new := in_numpy(old)) is not old}
+        return replace(value, **changed) if changed else value
+    if isinstance(value, tuple | list):
+        parts = [in_numpy(item) for item in value]
+        same = all(new is old for new, old in zip(parts, value, strict=True))
+        return value if same else type(value)(parts)
+    return as_numpy(value) if is_array(value) and not is_numpy(value) else value

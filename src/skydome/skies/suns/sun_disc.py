@@ -15,6 +15,7 @@ from skydome.ground.arrays import (
     at_least,
     constant,
     floating,
+    is_numpy,
     limited,
     namespace,
     safe_divide,
@@ -219,22 +220,24 @@ class SunDisc(SunlitSky, SpectralSky):
         light = xp.where(inside[..., None], light, xp.zeros_like(light))
         return self.blanked(light, directions)
 
-    def points(self, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """Directions (count, 3) evenly over one disc, and the XYZ of the light that each carries, (count, 3).
+    def points(self, count: int) -> tuple[Array, Array]:
+        """Directions (..., count, 3) evenly over the disc, and the XYZ of the light that each carries, (..., count, 3).
 
-        A sunflower spiral (Vogel 1979). The second sums to `normal_xyz` exactly: so maps lose no energy.
+        A sunflower spiral (Vogel 1979) for a sun of shape (3,), or one for each of suns (..., 1, 3). The second sums to
+        `normal_xyz` exactly: so maps lose no energy.
         """
-        sun = np.asarray(self.sun, dtype=np.float64)
-        if sun.shape != (3,):
-            raise ValueError(f"points need one sun of shape (3,), got {sun.shape}")
+        sun = floating(np.asarray(self.sun, np.float64) if is_numpy(self.sun) else self.sun)
+        if sun.ndim > 1 and sun.shape[-2] != 1:
+            raise ValueError(f"points need suns of shape (3,) or (..., 1, 3), got {tuple(sun.shape)}")
+        xp = namespace(sun)
         k = np.arange(count)
         square = (k + 0.5) / count
         turn = k * np.pi * (3 - np.sqrt(5.0))
-        sine = np.sqrt(square) * np.sin(self.angular_radius)
+        sine = constant(np.sqrt(square), sun) * xp.sin(floating(self.angular_radius, like=sun))
         u, v = tangent_frame(sun)
-        across = sine * np.cos(turn), sine * np.sin(turn)
-        directions = across[0][:, None] * u + across[1][:, None] * v + np.sqrt(1 - sine**2)[:, None] * sun
-        profile = limb_darkening(np.sqrt(1 - square), self.bands) * self.centre_radiance(self.bands)
-        light = profile @ xyz_weights(self.bands)
-        total = light.sum(axis=0)
-        return directions, light * np.divide(self.normal_xyz, total, out=np.zeros(3), where=total > 0)
+        across = (sine * constant(np.cos(turn), sun))[..., None], (sine * constant(np.sin(turn), sun))[..., None]
+        directions = across[0] * u + across[1] * v + xp.sqrt(1 - sine**2)[..., None] * sun
+        profile = constant(limb_darkening(np.sqrt(1 - square), self.bands), sun) * self.centre_radiance(self.bands)
+        light = profile @ constant(xyz_weights(self.bands), sun)
+        normal = self.normal_xyz
+        return directions, light * safe_divide(normal, xp.sum(light, axis=-2, keepdims=normal.ndim > 1))
