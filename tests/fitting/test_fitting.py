@@ -20,7 +20,8 @@ def degrees_off(found, sun):
 
 def spiral(count, lowest=0.01):
     k = np.arange(count)
-    return sd.direction(k * np.pi * (3 - np.sqrt(5)), np.arcsin(lowest + (1 - lowest) * (k + 0.5) / count))
+    turn = k * np.pi * (3 - np.sqrt(5)) % (2 * np.pi)
+    return sd.direction(turn, np.arcsin(lowest + (1 - lowest) * (k + 0.5) / count))
 
 
 @pytest.mark.parametrize("sun", SUNS)

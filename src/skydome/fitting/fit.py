@@ -38,7 +38,7 @@ class Fit:
     `parameters` and infinite in `standard_errors`, and `message` says so; `sky` still shows light like that observed.
 
     >>> import skydome as sd
-    >>> sun, views = sd.direction(2.0, 0.7), sd.direction(np.arange(50) * 2.4, np.linspace(0.1, 1.5, 50))
+    >>> sun, views = sd.direction(2.0, 0.7), sd.direction(np.arange(50) * 2.4 % 6.283, np.linspace(0.1, 1.5, 50))
     >>> found = fit(sd.Preetham, views, sd.Preetham(sun, 3.3).luminance(views), initial={"sun": sun})
     >>> found.names, round(found.parameters["turbidity"], 3)
     (('sun_across', 'sun_up', 'turbidity'), 3.3)
@@ -195,7 +195,7 @@ def fit(
 
     >>> import skydome as sd
     >>> truth = sd.Preetham(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.3)
-    >>> views = sd.direction(azimuth=np.arange(200) * 2.4, elevation=np.arcsin((np.arange(200) + 0.5) / 200))
+    >>> views = sd.direction(azimuth=np.arange(200) * 2.4 % 6.283, elevation=np.arcsin((np.arange(200) + 0.5) / 200))
     >>> found = fit(sd.Preetham, views, truth.luminance(views))
     >>> round(found.parameters["turbidity"], 4), round(float(sd.azimuth(found.parameters["sun"])), 4)
     (3.3, 2.0)
