@@ -15,6 +15,7 @@ from skydome.years.skies.dome_means import PerezSkies, by_numpy, dome_means, sam
 from skydome.years.skies.perez_year import perez_year
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS, counts
+from skydome.years.weather.frame import from_frame
 from skydome.years.weather.reading import read_weather
 
 
@@ -245,3 +246,13 @@ def test_a_year_in_slices_is_the_same_year(greensboro, tmp_path):
             assert np.allclose(data[name], whole[name], rtol=1e-5)
     with pytest.raises(ValueError, match="is written whole"):
         write_year(part, tmp_path / "b.zarr", compat="gendaymtx")
+
+
+def test_a_frame_is_taken_with_its_place():
+    pd = pytest.importorskip("pandas")
+    times = pd.date_range("2026-06-21T06:00", periods=6, freq="h", tz="UTC")
+    frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
+    place = sd.Place(45.07, 7.69)
+    np.testing.assert_array_equal(year(frame, place=place).luminance, year(from_frame(frame, place)).luminance)
+    with pytest.raises(ValueError, match="tells of no place"):
+        year(frame)

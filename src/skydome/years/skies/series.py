@@ -11,6 +11,7 @@ from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.units import deg
+from skydome.sun.place import Place
 from skydome.sun.track import SunTrack
 from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
@@ -18,11 +19,13 @@ from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
 from skydome.years.weather.calendar import Label
 from skydome.years.weather.closure import aligned, facts_of
+from skydome.years.weather.frame import from_frame, is_frame
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray
 
 Compat = Literal["paper", "gendaylit", "gendaymtx"]
@@ -31,7 +34,7 @@ LOCAL = "middle of the interval, standard time of the site, {:+g} h from UTC"
 
 
 def year(
-    weather: "Weather | str | PathLike[str]",
+    weather: "Weather | str | PathLike[str] | pd.DataFrame",
     patches: "str | Patches" = "tregenza",
     compat: Compat = "paper",
     smooth: bool = False,
@@ -43,25 +46,26 @@ def year(
     track: SunTrack | None = None,
     label: Label | None = None,
     shift: "float | Literal['auto'] | None" = None,
+    place: Place | None = None,
 ) -> "xarray.Dataset":
     """The skies of a year: luminance (time, patch), cd m-2, float32, with sun, illuminances and status by the interval.
 
-    `weather` is a file that `read_weather` knows, or a `Weather`; `label` and `shift` are as there. `time` is UTC,
+    `weather` is a file that `read_weather` knows, a `Weather`, or a DataFrame of a `place` as `from_frame` takes it;
+    `label`, `shift` and `place` are as there. `time` is UTC,
     `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so
     that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun is not in them: it
     is `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
     1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
-    neighbouring clearness bins (ours). `colour` ("preetham" or "hosek-wilkie", for `turbidity`) adds `xyz` (time,
-    patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch,
-    wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky
+    neighbouring clearness bins (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz`
+    (time, patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time,
+    patch, wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky
     and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
     luminance.
 
     >>> import pandas as pd, skydome as sd
-    >>> from skydome.years.weather.frame import from_frame
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
     >>> frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
-    >>> skies = year(from_frame(frame, sd.Place(45.07, 7.69)))
+    >>> skies = year(frame, place=sd.Place(45.07, 7.69))
     >>> skies.luminance.shape
     (12, 145)
     >>> bool(np.allclose(skies.luminance @ skies.horizontal_solid_angle, skies.diffuse_horizontal_illuminance))
@@ -75,7 +79,7 @@ def year(
         track = track or SunTrack.over(weather.start[0], weather.end[-1])
         weather = weather if shift is None else aligned(weather, shift, track)
     else:
-        weather = as_written(weather, calendar_year, label)
+        weather = read(weather, calendar_year, label, place)
         track = track or SunTrack.over(weather.start[0], weather.end[-1])
         weather = aligned(weather, shift, track)
     cut = patches_named(patches)
@@ -103,8 +107,19 @@ def year(
         if wavelengths is not None:
             add_spectrum(data, sky, cut, colour, air, wavelengths)
     elif wavelengths is not None:
-        raise ValueError('wavelengths need a colour: "preetham" or "hosek-wilkie"')
+        raise ValueError('wavelengths need a colour, such as "preetham" or "hosek-wilkie"')
     return data
+
+
+def read(
+    source: "str | PathLike[str] | pd.DataFrame", calendar_year: int | None, label: Label | None, place: Place | None
+) -> Weather:
+    """The weather of a file or a DataFrame; ValueError for a DataFrame of no place."""
+    if not is_frame(source):
+        return as_written(source, calendar_year, label, place)
+    if place is None:
+        raise ValueError("a DataFrame tells of no place: give place=sd.Place(latitude, longitude, altitude)")
+    return from_frame(source, place, label=label or "end")
 
 
 def smooth_luminance(sky: PerezYear, cut: Patches, out: np.ndarray) -> None:

@@ -1,6 +1,7 @@
 """Weather in any DataFrame with a timezone-aware index."""
 
-from typing import TYPE_CHECKING
+import sys
+from typing import TYPE_CHECKING, TypeGuard
 
 import numpy as np
 
@@ -57,6 +58,12 @@ def from_frame(
     start, end = interval(utc, usual_step(utc) if seconds is None else seconds, label, 0.0)
     offset = standard_offset(frame.index[0]) if len(utc) else 0.0
     return completed(Weather(place, start, end, direct, diffuse, dew, offset, "", label, global_horizontal=whole))
+
+
+def is_frame(source: object) -> "TypeGuard[pd.DataFrame]":
+    """Whether something is a DataFrame; pandas is not imported for that."""
+    pandas = sys.modules.get("pandas")
+    return pandas is not None and isinstance(source, pandas.DataFrame)
 
 
 def standard_offset(time: "pd.Timestamp") -> float:
