@@ -117,7 +117,7 @@ class SunDisc(SunlitSky, SpectralSky):
         >>> sky = sd.HosekWilkie(sd.direction(0.0, 0.7), 3.0)
         >>> days = ("2026-01-03T12:00Z", "2026-07-06T12:00Z")
         >>> [round(float(SunDisc.of(sky, time=day).illuminance(sky.sun)), -2) for day in days]
-        [84800.0, 79400.0]
+        [84600.0, 79200.0]
         """
         if angular_radius is None and time is not None:
             angular_radius = solar_radius(time)
