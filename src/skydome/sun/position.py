@@ -112,7 +112,7 @@ def solar_radius(time: Times) -> np.ndarray:
 def radius_at(distance: Array) -> Array:
     """Angular radius of the sun's disc from a distance in AU, radians, shape of `distance`.
 
-    >>> round(radius_at(1.0) / deg, 4)
+    >>> round(float(radius_at(1.0)) / deg, 4)
     0.2666
     """
     return namespace(distance).asin(np.sin(SOLAR_RADIUS_AT_1_AU) / floating(distance))

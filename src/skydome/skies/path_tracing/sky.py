@@ -192,7 +192,7 @@ class PathTraced(AtmosphereSky):
 
     >>> import skydome as sd
     >>> sky = PathTraced(sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg), relative_error=0.02)
-    >>> bool(abs(sky.radiance(sd.ZENITH, [450.0, 650.0])[0] / 0.061 - 1) < 0.05)
+    >>> bool(abs(sky.radiance(sd.ZENITH, [450.0, 650.0])[0] / 0.065 - 1) < 0.05)
     True
     """
 
