@@ -10,7 +10,6 @@ from skydome.cli.doors import progress, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
-from skydome.sun.place import Place
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
@@ -52,6 +51,8 @@ def year(
     as_json: AsJson = False,
 ) -> None:
     """Make the skies of a year from a weather file, on patches of the dome."""
+    from skydome.sun.place import Place
+
     choices = {"patches": patches, "compat": compat, "smooth": smooth, "colour": colour, "turbidity": turbidity}
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
     reading = {"label": label, "shift": minutes(shift), "place": None if place is None else Place.parse(place)}

@@ -58,8 +58,8 @@ def year(
     1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
     neighbouring clearness bins (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz`
     (time, patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time,
-    patch, wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky
-    and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
+    patch, wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that
+    clear sky and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
     luminance.
 
     >>> import pandas as pd, skydome as sd
