@@ -59,8 +59,8 @@ def year(
     neighbouring clearness bins (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz`
     (time, patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time,
     patch, wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that
-    clear sky and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's
-    luminance.
+    clear sky and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1),
+    at Perez's luminance.
 
     >>> import pandas as pd, skydome as sd
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
