@@ -6,9 +6,11 @@ import numpy as np
 from PIL import Image
 
 import skydome as sd
-from skydome import deg
+from skydome import SRGB, deg
+from skydome.ground.tone import Filmic, tone_mapped
+from skydome.light.colour import encode_srgb
 
-HEIGHT, WIDTH = 110, 440
+HEIGHT, WIDTH = 96, 384
 ELEVATIONS = range(20, -17, -2)
 
 
@@ -19,11 +21,8 @@ def panorama(sun_elevation: float) -> np.ndarray:
     sun = sd.direction(azimuth=0.0, elevation=sun_elevation * deg)
     sky = sd.PhysicalSky(sun, sd.clear_air(0.08, albedo=0.15)).held()
     light = np.maximum(sky.rgb(sd.direction(azimuth=columns, elevation=rows)), 0.0)
-    level = np.exp(np.log(np.maximum(light @ [0.2126, 0.7152, 0.0722], 1e-9)).mean())
-    shown = light * 0.35 / level
-    shown = np.clip(shown / (1 + 0.25 * shown.max(axis=-1, keepdims=True)), 0.0, 1.0)
-    coded = np.where(shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
-    return (255 * coded).astype(np.uint8)
+    level = np.exp(np.log(np.maximum(light @ SRGB.to_xyz[1], 1e-9)).mean())
+    return (255 * encode_srgb(tone_mapped(light * (0.16 / level), Filmic()))).astype(np.uint8)
 
 
 if __name__ == "__main__":
