@@ -60,7 +60,7 @@ def wild():
 class WidePreetham(sd.Preetham):
     """Preetham's formula with nothing refused."""
 
-    ranges = {}  # noqa: RUF012
+    limits = {}  # noqa: RUF012
 
 
 def tables():

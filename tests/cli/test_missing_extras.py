@@ -67,9 +67,3 @@ def test_a_years_writer_is_asked_for_first(tmp_path, missing, command):
     (tmp_path / "site.epw").write_bytes(b"")
     done = run(tmp_path, "year", "site.epw", *command.split(), without=(missing,))
     assert (done.returncode, f'needs {missing}: pip install "skydome[year]"' in done.stderr) == (2, True)
-
-
-def test_weather_by_pvlib_is_named(tmp_path):
-    (tmp_path / "site.tm2").write_bytes(b"")
-    done = run(tmp_path, "year", "site.tm2", without=("pvlib",))
-    assert (done.returncode, 'needs pvlib: pip install "skydome[weather]"' in done.stderr) == (2, True)

@@ -39,7 +39,8 @@ LAYOUTS: dict[str, Projection] = {
 HDR, LDR = (".exr", ".hdr"), (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp")
 MASK = ".mask.png"
 TIME_IN_NAME = re.compile(r"(\d{4})-?(\d{2})-?(\d{2})[T_ ]?(\d{2})[:\-]?(\d{2})(?:[:\-]?(\d{2}))?(Z|[+-]\d{2}:?\d{2})?")
-SUN_RADIUS = np.radians(4.0)
+SUN_RADIUS, SUN_TEXELS = np.radians(4.0), 2.0
+"""How far from its middle a sun is taken out of a picture: an angle, or texels where they are coarse."""
 
 Progress = Callable[[str, float], None]
 
@@ -89,7 +90,7 @@ class Capture:
             sun, visible = found.direction, found.visible
         sun = np.asarray(sun, dtype=np.float64)
         mask = sky_mask(picture, sun, horizon) if sky is None else sky
-        calm, taken = without_sun(picture, sun, SUN_RADIUS)
+        calm, taken = without_sun(picture, sun, max(SUN_RADIUS, SUN_TEXELS * np.pi / picture.height))
         scale = picture.white_luminance
         return cls(
             name,
