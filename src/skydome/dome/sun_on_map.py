@@ -48,7 +48,7 @@ def add_disc(
     texels = within_rim(row[seen], column[seen], angles)
     light = light[seen]
     wanted = directions[seen].T @ light[:, 1] / light[:, 1].sum()
-    for part in centred(gathered(*texels, light, angles.shape[1]), wanted, projection, height):
+    for part in centred(gathered(*texels, light, angles.shape[1]), wanted, projection, angles):
         share = part.flux * (factor / angles[part.row, part.column][:, None])
         np.add.at(pixels, (part.row, part.column), rgb_from_xyz(share, space).astype(pixels.dtype))
 
@@ -77,11 +77,11 @@ def gathered(row: np.ndarray, column: np.ndarray, flux: np.ndarray, columns: int
     return Spot(texels // columns, texels % columns, total)
 
 
-def centred(spot: Spot, wanted: np.ndarray, projection: Projection, height: int) -> list[Spot]:
+def centred(spot: Spot, wanted: np.ndarray, projection: Projection, angles: np.ndarray) -> list[Spot]:
     """The spot, parts of it moved by one texel, so that its mean direction is `wanted` (3,)."""
-    start = mean_direction(spot, projection, height)
-    moved = {step: there for step in STEPS if (there := shifted(spot, step, projection, height)) is not None}
-    ways = {step: mean_direction(there, projection, height) - start for step, there in moved.items()}
+    start = mean_direction(spot, projection, angles)
+    moved = {step: there for step in STEPS if (there := shifted(spot, step, projection, len(angles))) is not None}
+    ways = {step: mean_direction(there, projection, angles) - start for step, there in moved.items()}
     weights = np.array([1.0, 1.0, 1.0 / wanted[2]])  # the height's relative error counts
     options = [shares(ways, steps, wanted - start, weights) for steps in STEP_PAIRS if ways.keys() >= set(steps)]
     part = min(options, key=lambda option: option[1])[0] if options else {}
@@ -89,10 +89,9 @@ def centred(spot: Spot, wanted: np.ndarray, projection: Projection, height: int)
     return [rest, *(moved[step]._replace(flux=spot.flux * share) for step, share in part.items())]
 
 
-def mean_direction(spot: Spot, projection: Projection, height: int) -> np.ndarray:
+def mean_direction(spot: Spot, projection: Projection, angles: np.ndarray) -> np.ndarray:
     """Mean direction (3,) of the light in a spot's texels, its height by what the horizontal receives."""
-    angles = np.broadcast_to(projection.solid_angles(height), projection.shape(height))
-    total = np.zeros(3)
+    height, total = len(angles), np.zeros(3)
     for row in np.unique(spot.row):
         here = spot.row == row
         columns = spot.column[here]
