@@ -24,7 +24,7 @@ def test_numpy_directions_with_a_torch_sky(make):
     with pytest.raises(TypeError, match=r"cannot be mixed, got jax.* and torch"):
         sky.luminance(jax.numpy.asarray(sd.ZENITH))
     with pytest.raises(TypeError, match="cannot be mixed"):
-        sd.illuminance(sky, sd.NORTH)
+        sd.illuminance(sky, np.array([0.0, 1.0, 0.0]))
 
 
 @pytest.mark.parametrize("model", [sd.HosekWilkie, sd.HosekWilkieRGB, sd.Preetham, sd.SunDisc])
@@ -90,7 +90,7 @@ def test_nothing_asked_nothing_answered(make, library):
 
 def test_shapes_that_do_not_broadcast(make):
     sky = make(sd.direction(np.array([1.0, 2.0]), np.array([0.4, 0.5])), np.ones(2))
-    with pytest.raises(ValueError, match="broadcast"):
+    with pytest.raises(ValueError, match="leading shapes must fit|broadcast"):
         sky.luminance(np.broadcast_to(sd.ZENITH, (5, 3)))
 
 
