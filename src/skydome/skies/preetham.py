@@ -130,8 +130,8 @@ def letters(turbidity: Array, rows: tuple[tuple[float, ...], ...]) -> list[Array
 class Preetham(ColourFormulaSky, SpectralSky):
     """The clear sky of Preetham, Shirley and Smits 1999, for turbidity 2-6.
 
-    `numbers` are the paper's as printed; with `PreethamNumbers.AUTHORS` it is the sky of other programs (their zenith
-    differs by up to 0.0115 in x, 0.0102 in y), with a fit (`skydome.own_air.preetham_fit`) that of another air.
+    `numbers` are the paper's as printed (None); with `PreethamNumbers.AUTHORS` it is the sky of other programs (their
+    zenith differs by up to 0.0115 in x, 0.0102 in y), with a fit (`skydome.own_air.preetham_fit`) that of another air.
 
     Known errors: too bright at low turbidity near a low sun, too little darkening toward the horizon, no ground
     albedo (docs/models/preetham.md gives figures). `radiance` is the paper's A.5: the CIE daylight series at the sky's
@@ -145,7 +145,7 @@ class Preetham(ColourFormulaSky, SpectralSky):
     """
 
     turbidity: Any
-    numbers: PreethamNumbers = PreethamNumbers.PRINTED
+    numbers: PreethamNumbers | None = None
     ranges: ClassVar = {"turbidity": Range(2.0, 6.0)}
     source: ClassVar[str] = "Preetham, Shirley and Smits 1999, A.2"
 
@@ -155,13 +155,18 @@ class Preetham(ColourFormulaSky, SpectralSky):
         return self.turbidity
 
     @property
+    def used(self) -> PreethamNumbers:
+        """The model's numbers: those given, or those printed."""
+        return PreethamNumbers.PRINTED if self.numbers is None else self.numbers
+
+    @property
     def limits(self) -> dict[str, Range]:
         """The turbidities that were fitted."""
-        return {"turbidity": Range(self.numbers.turbidity[0], self.numbers.turbidity[1])}
+        return {"turbidity": Range(self.used.turbidity[0], self.used.turbidity[1])}
 
     def coefficients(self) -> Array:
         """R A ... I of the channels x, y, Y, shape (..., 3, 10)."""
-        numbers = self.numbers
+        numbers = self.used
         sun_zenith, turbidity = zenith_angle(self.sun), self.parameter("turbidity")
         xp = namespace(sun_zenith, turbidity)
         below = sun_zenith < np.pi / 2

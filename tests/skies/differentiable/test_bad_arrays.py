@@ -90,7 +90,7 @@ def test_nothing_asked_nothing_answered(make, library):
 
 def test_shapes_that_do_not_broadcast(make):
     sky = make(sd.direction(np.array([1.0, 2.0]), np.array([0.4, 0.5])), np.ones(2))
-    with pytest.raises(ValueError, match="leading shapes must fit|broadcast"):
+    with pytest.raises(ValueError, match=r"leading shapes must fit|broadcast"):
         sky.luminance(np.broadcast_to(sd.ZENITH, (5, 3)))
 
 
