@@ -1,0 +1,117 @@
+"""What the networks of the physical sky learn from: solved airs in a folder, one file a batch.
+
+A file appears whole or not at all, so that a run goes on where it was stopped, and several may work in one folder.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+
+from skydome.ground.writing import appearing, require_place
+from skydome.own_air.all_air.airs import AIRS, batch
+from skydome.own_air.all_air.places import FINEST, SCALE, Places
+from skydome.own_air.all_air.solver import Solver
+from skydome.skies.all_air.taught_air import Optics
+from skydome.skies.physical.cosine_series import view_nodes
+
+VIEWS, AZIMUTHS, SUNS = 32, 25, 56
+"""Nodes of half a sky, and suns of each air: one in each of so many even parts, from -18 to 90 degrees."""
+HELD = 10
+"""Of so many airs one is never trained on."""
+
+
+def make_lessons(
+    folder: str | PathLike[str],
+    batches: int,
+    seed: int = 1,
+    places: Places | None = None,
+    report: Callable[[int, int, str], None] = lambda *_: None,
+) -> int:
+    """Solves so many batches of random airs into a folder; the count that was missing.
+
+    ValueError for fewer than one batch; OSError where the folder cannot be made. Needs numba and scipy.
+    """
+    if batches < 1:
+        raise ValueError(f"batches must be 1 or more, got {batches}")
+    place = require_place(folder, folder=True)
+    place.mkdir(exist_ok=True)
+    missing = [number for number in range(batches) if not path_of(place, seed, number).exists()]
+    solver = Solver.of(places or Places()) if missing else None
+    for done, number in enumerate(missing):
+        assert solver is not None
+        lesson = lesson_of(solver, seed, number)
+        with appearing(path_of(place, seed, number)) as beside, beside.open("wb") as file:
+            np.savez(file, **lesson)
+        report(done + 1, len(missing), f"batch {number}")
+    return len(missing)
+
+
+def path_of(folder: Path, seed: int, number: int) -> Path:
+    """The file of a batch."""
+    return folder / f"{seed:04d}-{number:05d}.npz"
+
+
+def lesson_of(solver: Solver, seed: int, number: int) -> dict[str, np.ndarray]:
+    """The arrays of a batch's file: sines of suns, optical numbers (7, AIRS), `rest` and `once` (AIRS, suns, nodes)."""
+    air = batch(seed, number)
+    sines = random_suns(np.random.default_rng((seed, number, 1)))
+    cosines, azimuths = np.asarray(view_nodes(VIEWS - 8)), np.linspace(0, np.pi, AZIMUTHS)
+    rest, once = solver.at_ground(solver.solve(air), sines, cosines, azimuths)
+    shape = (AIRS, SUNS, VIEWS * AZIMUTHS)
+    light = {"rest": rest, "once": once}
+    return {"sines": sines, "air": np.stack(air)} | {
+        k: v.transpose(3, 1, 0, 2).reshape(shape) for k, v in light.items()
+    }
+
+
+def random_suns(random: np.random.Generator) -> np.ndarray:
+    """Sines of elevations, rising, (SUNS,): dense where the light changes fastest."""
+    low, high = (np.arcsinh((edge - FINEST) / SCALE) for edge in (-18.0, 90.0))
+    share = (np.arange(SUNS) + random.random(SUNS)) / SUNS
+    return np.sin(np.radians(FINEST + SCALE * np.sinh(low + (high - low) * share)))
+
+
+@dataclass(frozen=True, eq=False)
+class Lessons:
+    """Cases, air and sun: optical numbers (N,), the sun's sine (N,), rest and light scattered once (N, nodes), and
+    whether the air is held back (N,)."""
+
+    air: Optics
+    sines: np.ndarray
+    rest: np.ndarray
+    once: np.ndarray
+    held: np.ndarray
+
+    @classmethod
+    def load(cls, folder: str | PathLike[str], low: float = -18.0, high: float = 90.0) -> "Lessons":
+        """The cases of a folder with the sun between two elevations, degrees; ValueError where there are none."""
+        files = sorted(Path(folder).glob("*-*.npz"))
+        if not files:
+            raise ValueError(f"the folder must hold lessons (skydome simulate --for physical), got {folder}")
+        low, high = np.sin(np.radians([low, high]))
+        parts = [cases(path, number, low, high) for number, path in enumerate(files)]
+        numbers, sines, rest, once, held = (np.concatenate(part) for part in zip(*parts, strict=True))
+        floor = 1e-3 * np.median(np.abs(rest), axis=1, keepdims=True)
+        return cls(Optics(*numbers.T), sines, np.maximum(rest, floor), once, held)
+
+    def chosen(self, which: np.ndarray) -> "Lessons":
+        """Some of the cases."""
+        air = Optics(*(part[which] for part in self.air))
+        return Lessons(air, self.sines[which], self.rest[which], self.once[which], self.held[which])
+
+
+def cases(path: Path, number: int, low: float, high: float) -> tuple[np.ndarray, ...]:
+    """The arrays of `Lessons` of one file, its numbers (N, 7)."""
+    try:
+        with np.load(path) as stored:
+            air, sines, rest, once = (stored[name] for name in ("air", "sines", "rest", "once"))
+    except (OSError, ValueError, KeyError) as error:
+        raise ValueError(f"{path.name} is no file of lessons: {error}") from error
+    own = (sines >= low) & (sines <= high)
+    count = int(own.sum())
+    held = (np.arange(AIRS) + AIRS * number) * 7919 % HELD == 3
+    flat = [light[:, own].reshape(AIRS * count, -1) for light in (rest, once)]
+    return np.repeat(air.T, count, axis=0), np.tile(sines[own], AIRS), *flat, np.repeat(held, count)

@@ -1,0 +1,194 @@
+"""Networks of the physical sky, trained on lessons: shapes by singular values, their coefficients by a small network.
+
+First the network learns the coefficients, then network and shapes together learn the light itself: the difference of
+the rest over the whole light, its largest values tamed.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from skydome.ground.extras import required
+from skydome.own_air.all_air.lessons import AZIMUTHS, VIEWS, Lessons
+from skydome.skies.all_air.rest import Rest, RestNetwork, cosine_series, features, place_of
+from skydome.skies.all_air.rest_files import save_rest
+
+NODES = VIEWS * AZIMUTHS
+TERMS = 13
+"""Cosines of the azimuth in a shape."""
+
+
+class Course(NamedTuple):
+    """Between which elevations, degrees, what is learned: shapes of mean air and others, the network's width, steps
+    in all, and the error beyond which a case counts less."""
+
+    low: float
+    high: float
+    shapes: int
+    tamed: float
+    mean_shapes: int = 13
+    width: int = 96
+    steps: int = 18_000
+
+
+DAY, TWILIGHT = Course(-1.0, 90.0, 24, 0.1), Course(-18.0, 3.0, 32, 0.3)
+
+
+def train_rest(
+    folder: str | PathLike[str],
+    output: str | PathLike[str],
+    day: Course = DAY,
+    twilight: Course = TWILIGHT,
+    seed: int = 0,
+    report: Callable[[str, float], None] = lambda *_: None,
+) -> dict[str, float]:
+    """Trains both networks on a folder of lessons and writes them to a file that `load_rest` reads.
+
+    The rms errors of the whole radiance on airs held back, by network. Needs torch.
+    """
+    networks, errors = [], {}
+    for name, course in (("day", day), ("twilight", twilight)):
+        lessons = Lessons.load(folder, course.low, course.high)
+        networks.append(taught(lessons, course, seed, lambda loss, name=name: report(name, loss)))  # type: ignore[misc]
+        errors[name] = rms_error(networks[-1], lessons.chosen(lessons.held))
+    save_rest(output, Rest(*networks), f"skydome.own_air.all_air: seed {seed}, {day}, {twilight}")
+    return errors
+
+
+def rms_error(network: RestNetwork, lessons: Lessons) -> float:
+    """Of the whole radiance over all nodes of all cases; ValueError where no case is left."""
+    if not len(lessons.sines):
+        raise ValueError("no air is held back: make more lessons")
+    found = np.exp(network.coefficients(inputs(lessons), lessons.sines[:, None])[:, 0] @ whole(network.shapes))
+    return float(np.sqrt(np.mean(((found - lessons.rest) / (lessons.rest + lessons.once)) ** 2)))
+
+
+def inputs(lessons: Lessons) -> np.ndarray:
+    """What the networks read, (N, 1, F)."""
+    return np.asarray(features(type(lessons.air)(*(part[:, None] for part in lessons.air)), lessons.sines))
+
+
+def azimuth_waves() -> np.ndarray:
+    """From cosine coefficients to the lessons' azimuths, (TERMS, AZIMUTHS)."""
+    return np.cos(np.outer(np.arange(TERMS), np.linspace(0, np.pi, AZIMUTHS)))
+
+
+def whole(shapes: np.ndarray) -> np.ndarray:
+    """Shapes (S, VIEWS, TERMS) at all nodes, (S, NODES)."""
+    return np.asarray((shapes @ azimuth_waves()).reshape(len(shapes), NODES))
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """What training sets out from: the range of places, mean coefficients (N, mean), shapes (S, VIEWS, TERMS), and the
+    other shapes' coefficients to learn (N, shapes), scaled, with each one's weight."""
+
+    places: tuple[float, float]
+    mean: np.ndarray
+    shapes: np.ndarray
+    wanted: np.ndarray
+    weight: np.ndarray
+
+    @classmethod
+    def of(cls, lessons: Lessons, course: Course) -> "Start":
+        """By least squares and singular values of log rest, weighted by the rest's share of the light."""
+        low, high = (float(np.float16(place_of(np.sin(np.radians(edge))))) for edge in (course.low, course.high))
+        x = np.clip((2 * np.asarray(place_of(lessons.sines)) - low - high) / (high - low), -1, 1)
+        mean, logs = np.asarray(cosine_series(x, course.mean_shapes)), np.log(lessons.rest.astype(np.float64))
+        first = np.linalg.lstsq(mean, logs, rcond=None)[0]
+        logs -= mean @ first
+        share = np.sqrt((lessons.rest / (lessons.rest + lessons.once)).mean(axis=0))
+        across = np.linalg.eigh((logs * share).T @ (logs * share))[1][:, ::-1][:, : course.shapes]
+        found = (logs * share) @ across
+        middle, size = found.mean(axis=0), found.std(axis=0) + 1e-12
+        others = across.T / share
+        first[0] += middle @ others
+        shapes = np.concatenate([first, others * size[:, None]]).reshape(-1, VIEWS, AZIMUTHS)
+        weight = (size / size.max()) ** 2 + 0.003
+        return cls((low, high), mean, shapes @ np.linalg.pinv(azimuth_waves()), (found - middle) / size, weight)
+
+
+def taught(
+    lessons: Lessons, course: Course, seed: int = 0, report: Callable[[float], None] = lambda _: None
+) -> RestNetwork:
+    """The network of a course, trained on the lessons that are not held back."""
+    torch = required("torch", "test", "training the physical sky")
+    lessons = lessons.chosen(~lessons.held)
+    start, read = Start.of(lessons, course), inputs(lessons)[:, 0]
+    middle, size = read.mean(axis=0), read.std(axis=0) + 1e-9
+    torch.manual_seed(seed)
+    net = layers(torch, read.shape[1], course)
+    random = np.random.default_rng(seed)
+    given = torch.tensor((read - middle) / size, dtype=torch.float32)
+    learn_coefficients(torch, net, given, start, random, course.steps // 5)
+    shapes = learn_light(torch, net, given, start, lessons, random, course, report)
+    return RestNetwork(unscaled(net, middle, size), shapes, start.places)
+
+
+def layers(torch: Any, count: int, course: Course) -> Any:
+    """A network of two hidden layers."""
+    nn = torch.nn
+    first, second = nn.Linear(count, course.width), nn.Linear(course.width, course.width)
+    return nn.Sequential(first, nn.SiLU(), second, nn.SiLU(), nn.Linear(course.width, course.shapes))
+
+
+def learn_coefficients(torch: Any, net: Any, given: Any, start: Start, random: np.random.Generator, steps: int) -> None:
+    """The first fifth: coefficients alone."""
+    wanted, weight = (torch.tensor(part, dtype=torch.float32) for part in (start.wanted, start.weight))
+    optimiser = torch.optim.AdamW(net.parameters(), 3e-3, weight_decay=1e-3)
+    pace = torch.optim.lr_scheduler.OneCycleLR(optimiser, 4e-3, total_steps=steps)
+    for _ in range(steps):
+        some = random.choice(len(given), 512)
+        loss = ((net(given[some]) - wanted[some]) ** 2 * weight).mean()
+        step(torch, net, loss, optimiser, pace)
+
+
+def learn_light(
+    torch: Any,
+    net: Any,
+    given: Any,
+    start: Start,
+    lessons: Lessons,
+    random: np.random.Generator,
+    course: Course,
+    report: Callable[[float], None],
+) -> np.ndarray:
+    """The rest of the steps: network and shapes, on the light of some nodes of some cases at a time; the shapes."""
+    mean, waves = (torch.tensor(part, dtype=torch.float32) for part in (start.mean, azimuth_waves()))
+    shapes = torch.nn.Parameter(torch.tensor(start.shapes, dtype=torch.float32))
+    share = torch.tensor(lessons.rest / (lessons.rest + lessons.once), dtype=torch.float32)
+    logs = torch.tensor(np.log(lessons.rest), dtype=torch.float32)
+    steps = course.steps - course.steps // 5
+    parts = [{"params": net.parameters(), "weight_decay": 1e-3}, {"params": [shapes], "weight_decay": 0.0}]
+    optimiser = torch.optim.AdamW(parts, 2e-3)
+    pace = torch.optim.lr_scheduler.OneCycleLR(optimiser, [3e-3, 1.5e-3], total_steps=steps, pct_start=0.1)
+    for number in range(steps):
+        some, nodes = random.choice(len(given), 256)[:, None], random.choice(NODES, NODES // 5, replace=False)
+        at = (shapes[:, nodes // AZIMUTHS] * waves.T[nodes % AZIMUTHS]).sum(-1)
+        found = torch.cat([mean[some[:, 0]], net(given[some[:, 0]])], 1) @ at
+        off = torch.expm1((found - logs[some, nodes]).clamp(-3, 3)) * share[some, nodes]
+        loss = (torch.sqrt(off * off + course.tamed**2) - course.tamed).mean()
+        step(torch, net, loss, optimiser, pace)
+        if number % 100 == 0:
+            report(float(loss.detach()))
+    return np.asarray(shapes.detach().numpy(), dtype=np.float64)
+
+
+def step(torch: Any, net: Any, loss: Any, optimiser: Any, pace: Any) -> None:
+    """One step down the gradient, the network's at most 1 long."""
+    optimiser.zero_grad()
+    loss.backward()
+    torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
+    optimiser.step()
+    pace.step()
+
+
+def unscaled(net: Any, middle: np.ndarray, size: np.ndarray) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
+    """Weights (in, out) and biases of the layers, that read inputs as they are."""
+    numbers = [part.detach().numpy().T.astype(np.float64) for part in net.parameters()]
+    numbers[0] = numbers[0] / size[:, None]
+    numbers[1] = numbers[1] - middle @ numbers[0]
+    return tuple(zip(numbers[::2], numbers[1::2], strict=True))
