@@ -130,6 +130,11 @@ KERNEL_PAIRS = (
         "skies.path_tracing.many_suns_kernel:hits",
         "skies/path_tracing/test_many_suns.py::test_many_suns_agree_with_next_event_estimation",
     ),
+    Pair(
+        "skies.all_air.single_scattering:lit_rays",
+        "own_air.all_air.solver_kernel:add_once",
+        "own_air/all_air/test_teacher.py::test_light_scattered_once_is_that_of_the_sky",
+    ),
 )
 
 

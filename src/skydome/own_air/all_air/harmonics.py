@@ -44,7 +44,7 @@ class Harmonics:
         return cls(places, cosines, solid, *arrays)
 
     def source(self, light: np.ndarray, moments: np.ndarray, steepness: np.ndarray) -> np.ndarray:
-        """What light (N, suns, azimuths, AIRS) makes air of moments (heights, moments, AIRS) give off, over the norm."""
+        """What light (N, suns, azimuths, AIRS) makes air of moments (heights, moments, AIRS) give off, by the norm."""
         places = self.places
         suns, count, airs = places.suns, places.moments, light.shape[-1]
         lit = light.reshape(places.heights, -1, suns, places.azimuths, airs)

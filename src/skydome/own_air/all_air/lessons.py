@@ -44,7 +44,7 @@ def make_lessons(
         assert solver is not None
         lesson = lesson_of(solver, seed, number)
         with appearing(path_of(place, seed, number)) as beside, beside.open("wb") as file:
-            np.savez(file, **lesson)
+            np.savez(file, allow_pickle=False, **lesson)
         report(done + 1, len(missing), f"batch {number}")
     return len(missing)
 
@@ -71,13 +71,14 @@ def random_suns(random: np.random.Generator) -> np.ndarray:
     """Sines of elevations, rising, (SUNS,): dense where the light changes fastest."""
     low, high = (np.arcsinh((edge - FINEST) / SCALE) for edge in (-18.0, 90.0))
     share = (np.arange(SUNS) + random.random(SUNS)) / SUNS
-    return np.sin(np.radians(FINEST + SCALE * np.sinh(low + (high - low) * share)))
+    return np.asarray(np.sin(np.radians(FINEST + SCALE * np.sinh(low + (high - low) * share))))
 
 
 @dataclass(frozen=True, eq=False)
 class Lessons:
     """Cases, air and sun: optical numbers (N,), the sun's sine (N,), rest and light scattered once (N, nodes), and
-    whether the air is held back (N,)."""
+    whether the air is held back (N,).
+    """
 
     air: Optics
     sines: np.ndarray
@@ -90,7 +91,7 @@ class Lessons:
         """The cases of a folder with the sun between two elevations, degrees; ValueError where there are none."""
         files = sorted(Path(folder).glob("*-*.npz"))
         if not files:
-            raise ValueError(f"the folder must hold lessons (skydome simulate --for physical), got {folder}")
+            raise ValueError(f"the folder must hold lessons (make_lessons), got {folder}")
         low, high = np.sin(np.radians([low, high]))
         parts = [cases(path, number, low, high) for number, path in enumerate(files)]
         numbers, sines, rest, once, held = (np.concatenate(part) for part in zip(*parts, strict=True))

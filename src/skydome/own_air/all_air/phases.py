@@ -39,7 +39,8 @@ class Scaled:
         """The cut phase functions at cosines (S, P), (S, P, 3, AIRS)."""
         orders = np.arange(self.moments.shape[1])
         weights = self.moments * ((2 * orders + 1) / (4 * np.pi))[:, None]
-        return np.einsum("spl,clb->spcb", np.polynomial.legendre.legvander(between, orders[-1]), weights, optimize=True)
+        series = np.polynomial.legendre.legvander(between, int(orders[-1]))
+        return np.asarray(np.einsum("spl,clb->spcb", series, weights, optimize=True))
 
 
 def depths(air: Optics) -> np.ndarray:

@@ -18,7 +18,8 @@ LOWEST, HIGHEST = -28.0, 90.0
 @dataclass(frozen=True)
 class Places:
     """So many nodes of height, view, sun and azimuth; `moments` of the phase function; nodes along rays, for light
-    scattered more than once and once; rays that rise and that fall from each height."""
+    scattered more than once and once; rays that rise and that fall from each height.
+    """
 
     heights: int = 22
     views: int = 23
@@ -56,30 +57,31 @@ class Places:
     def height_place(self, heights: np.ndarray) -> np.ndarray:
         """Place of heights among the nodes."""
         share = np.clip(heights / TOP, 0, 1)
-        return np.float32(np.log1p(share * np.expm1(CROWDING)) / CROWDING * (self.heights - 1))
+        return np.asarray(np.log1p(share * np.expm1(CROWDING)) / CROWDING * (self.heights - 1), dtype=np.float32)
 
     def view_place(self, cosine: np.ndarray) -> np.ndarray:
         """Place of views, by cosine to the vertical."""
-        return np.float32(np.arccos(np.clip(cosine, -1, 1)) / np.pi * (self.views - 1))
+        return np.asarray(np.arccos(np.clip(cosine, -1, 1)) / np.pi * (self.views - 1), dtype=np.float32)
 
     def sun_place(self, sine: np.ndarray) -> np.ndarray:
         """Place of suns, by the sine of the elevation."""
         low, high = (np.arcsinh((edge - FINEST) / SCALE) for edge in (LOWEST, HIGHEST))
         degrees = np.clip(np.degrees(np.arcsin(np.clip(sine, -1, 1))), LOWEST, HIGHEST)
         share = (np.arcsinh((degrees - FINEST) / SCALE) - low) / (high - low)
-        return np.float32(np.clip(share, 0, 1) * (self.suns - 1))
+        return np.asarray(np.clip(share, 0, 1) * (self.suns - 1), dtype=np.float32)
 
     def azimuth_place(self, azimuth: np.ndarray) -> np.ndarray:
         """Place of azimuths from the sun, 0 to pi."""
         x = np.linspace(0, np.pi, 20_001)
-        return np.float32(np.interp(azimuth, x - 0.5 * np.sin(x), x) / np.pi * (self.azimuths - 1))
+        return np.asarray(np.interp(azimuth, x - 0.5 * np.sin(x), x) / np.pi * (self.azimuths - 1), dtype=np.float32)
 
 
 def sun_along(
     height: float, cosine: float, distance: np.ndarray, sines: np.ndarray, azimuths: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Cosine of suns to the vertical (K, S, P) and azimuth from them (K, S, P) at distances (K,) along a ray, and the
-    cosine of the angle between ray and sun (S, P); suns by the sine of their elevation at the ray's start."""
+    cosine of the angle between ray and sun (S, P); suns by the sine of their elevation at the ray's start.
+    """
     r, level = RADIUS + height, np.sqrt(max(1 - cosine**2, 0.0))
     turned = np.broadcast_to(np.cos(azimuths), (len(sines), len(azimuths)))
     between = cosine * sines[:, None] + level * np.sqrt(np.maximum(1 - sines**2, 0.0))[:, None] * turned

@@ -32,7 +32,8 @@ def density(heights: np.ndarray) -> np.ndarray:
 
 class Rays(NamedTuple):
     """Nodes along N rays, (N, K) each: distance, its weight, height and cosine to the vertical; columns from the
-    start and densities (N, K, 4); for each ray whether it meets the ground, its length, and its whole column (N, 4)."""
+    start and densities (N, K, 4); for each ray whether it meets the ground, its length, and its whole column (N, 4).
+    """
 
     distance: np.ndarray
     step: np.ndarray

@@ -60,13 +60,13 @@ class Solver:
         scaled, rays = Scaled.of(air, self.places.moments), self.rays
         light = self.once(scaled)
         weight = weights(rays, scaled)
-        ground = np.float32(fading(rays.whole, scaled.depth) * scaled.ground / np.pi)
+        ground = np.asarray(fading(rays.whole, scaled.depth) * scaled.ground / np.pi, dtype=np.float32)
         suns, azimuths, norm, end, end_norm = self.along
         total: np.ndarray | float = 0.0
         before: np.ndarray | None = None
         for order in range(2, orders + 1):
             source = self.harmonics.source(light, mixed(self.places, scaled), self.steepness)
-            irradiance = np.float32(self.harmonics.irradiance(light) * np.exp(-self.steepness[0])[:, None])
+            irradiance = self.harmonics.irradiance(light) * np.exp(-self.steepness[0])[:, None]
             total = total + source
             mean = source.mean(axis=(1, 3))
             tail, last = series_tail(mean, before, total.mean(axis=(1, 3)), tolerance)
@@ -75,8 +75,8 @@ class Solver:
                 break
             before = mean
             sweep(source, self.starts[0], self.starts[1], suns, azimuths, norm, weight, light)
-            add_ground(irradiance, end, end_norm, ground, rays.grounded, light)
-        return Orders(air, scaled, total, order)
+            add_ground(irradiance.astype(np.float32), end, end_norm, ground, rays.grounded, light)
+        return Orders(air, scaled, np.asarray(total), order)
 
     def once(self, scaled: Scaled) -> np.ndarray:
         """Light scattered once or thrown back by the ground along all rays, (N, suns, azimuths, AIRS)."""
@@ -101,7 +101,7 @@ class Solver:
     ) -> tuple[np.ndarray, np.ndarray]:
         """The rest of the light at the ground and the light scattered once, sr-1, each (V, S, P, AIRS).
 
-        Suns by the sine of their elevation (S,), views by their cosine to the vertical (V,), azimuths from the sun (P,).
+        Suns by the sine of their elevation (S,), views by cosine to the vertical (V,), azimuths from the sun (P,).
         """
         from skydome.own_air.all_air.solver_kernel import sweep
 
@@ -179,24 +179,26 @@ class Solver:
         required("scipy", "fit", "the physical sky's teacher")
         from scipy.ndimage import map_coordinates
 
-        return np.exp(np.float32(map_coordinates(self.steepness, np.stack([height, sun]), order=3, mode="mirror")))
+        return np.asarray(
+            np.exp(map_coordinates(self.steepness, np.stack([height, sun]), order=3, mode="mirror")), dtype=np.float32
+        )
 
 
 def fading(column: np.ndarray, depth: np.ndarray) -> np.ndarray:
     """What is left behind columns (..., 4) of depths (4, AIRS), (..., AIRS)."""
-    return np.exp(-np.minimum(column @ depth, 80.0))
+    return np.asarray(np.exp(-np.minimum(column @ depth, 80.0)))
 
 
 def weights(rays: Rays, scaled: Scaled) -> np.ndarray:
     """What of a source at the rays' nodes comes to their starts, (N, K, AIRS)."""
     scattering = rays.density[..., :3] @ scaled.scattering * rays.step[..., None]
-    return np.float32(scattering * fading(rays.column, scaled.depth))
+    return np.asarray(scattering * fading(rays.column, scaled.depth), dtype=np.float32)
 
 
 def mixed(places: Places, scaled: Scaled) -> np.ndarray:
     """Moments of what scatters at each height, (heights, moments, AIRS)."""
     share = density(places.height_nodes)[:, :3, None] * scaled.scattering
-    return np.float32(np.einsum("rcb,clb->rlb", share, scaled.moments) / share.sum(axis=1)[:, None])
+    return np.asarray(np.einsum("rcb,clb->rlb", share, scaled.moments) / share.sum(axis=1)[:, None], dtype=np.float32)
 
 
 def scatter_once(
@@ -224,7 +226,7 @@ def lit_ground(rays: Rays, n: int, sun: np.ndarray, scaled: Scaled, out: np.ndar
 def series_tail(
     mean: np.ndarray, before: np.ndarray | None, total: np.ndarray, tolerance: float
 ) -> tuple[np.ndarray, bool]:
-    """The orders to come over the last one as a geometric series, (heights, suns, AIRS), and whether it may be closed."""
+    """The orders to come over the last as a geometric series, (heights, suns, AIRS), and whether it may be closed."""
     if before is None:
         return np.zeros_like(mean), False
     ratio = np.clip(mean / np.maximum(before, 1e-30), 0, 0.97)

@@ -101,7 +101,7 @@ def add_ground(irradiance, sun, norm, weight, grounded, out):
 def add_once(table, height, cosine, radius, top, column, depth, strength, phase, out):
     """Adds the light that points (K,) of one ray scatter once to `out` (S, P, AIRS).
 
-    `table` (heights, cosines, 4) of columns; cosines of the sun to the vertical (K, S, P); columns (K, 4) that the light
+    `table` (heights, cosines, 4) of columns; cosines of the sun to the vertical (K, S, P); columns (K, 4) that light
     has still to go; optical depths (4, AIRS); what each scatters (K, 3, AIRS) and how much of it hither
     (S, P, 3, AIRS).
     """

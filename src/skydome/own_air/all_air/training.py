@@ -23,7 +23,8 @@ TERMS = 13
 
 class Course(NamedTuple):
     """Between which elevations, degrees, what is learned: shapes of mean air and others, the network's width, steps
-    in all, and the error beyond which a case counts less."""
+    in all, and the error beyond which a case counts less.
+    """
 
     low: float
     high: float
@@ -62,7 +63,7 @@ def rms_error(network: RestNetwork, lessons: Lessons) -> float:
     """Of the whole radiance over all nodes of all cases; ValueError where no case is left."""
     if not len(lessons.sines):
         raise ValueError("no air is held back: make more lessons")
-    found = np.exp(network.coefficients(inputs(lessons), lessons.sines[:, None])[:, 0] @ whole(network.shapes))
+    found = np.exp(network.coefficients(inputs(lessons), lessons.sines)[:, 0] @ whole(network.shapes))
     return float(np.sqrt(np.mean(((found - lessons.rest) / (lessons.rest + lessons.once)) ** 2)))
 
 
@@ -73,7 +74,7 @@ def inputs(lessons: Lessons) -> np.ndarray:
 
 def azimuth_waves() -> np.ndarray:
     """From cosine coefficients to the lessons' azimuths, (TERMS, AZIMUTHS)."""
-    return np.cos(np.outer(np.arange(TERMS), np.linspace(0, np.pi, AZIMUTHS)))
+    return np.asarray(np.cos(np.outer(np.arange(TERMS), np.linspace(0, np.pi, AZIMUTHS))))
 
 
 def whole(shapes: np.ndarray) -> np.ndarray:
@@ -84,7 +85,8 @@ def whole(shapes: np.ndarray) -> np.ndarray:
 @dataclass(frozen=True, eq=False)
 class Start:
     """What training sets out from: the range of places, mean coefficients (N, mean), shapes (S, VIEWS, TERMS), and the
-    other shapes' coefficients to learn (N, shapes), scaled, with each one's weight."""
+    other shapes' coefficients to learn (N, shapes), scaled, with each one's weight.
+    """
 
     places: tuple[float, float]
     mean: np.ndarray
@@ -115,7 +117,7 @@ def taught(
     lessons: Lessons, course: Course, seed: int = 0, report: Callable[[float], None] = lambda _: None
 ) -> RestNetwork:
     """The network of a course, trained on the lessons that are not held back."""
-    torch = required("torch", "test", "training the physical sky")
+    torch = require_torch()
     lessons = lessons.chosen(~lessons.held)
     start, read = Start.of(lessons, course), inputs(lessons)[:, 0]
     middle, size = read.mean(axis=0), read.std(axis=0) + 1e-9
@@ -126,6 +128,11 @@ def taught(
     learn_coefficients(torch, net, given, start, random, course.steps // 5)
     shapes = learn_light(torch, net, given, start, lessons, random, course, report)
     return RestNetwork(unscaled(net, middle, size), shapes, start.places)
+
+
+def require_torch() -> Any:
+    """The library, or ImportError in one line."""
+    return required("torch", "test", "training the physical sky")
 
 
 def layers(torch: Any, count: int, course: Course) -> Any:
