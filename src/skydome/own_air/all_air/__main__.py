@@ -19,9 +19,11 @@ def main() -> int:
     try:
         require_torch()
         make_lessons(given.folder, given.batches, given.seed, report=lambda k, n, what: print(f"{what}: {k} of {n}"))
-        courses = (course._replace(steps=given.steps) for course in (DAY, TWILIGHT))
+        day, twilight = (course._replace(steps=given.steps) for course in (DAY, TWILIGHT))
         print(
-            train_rest(given.folder, given.output, *courses, given.seed, lambda name, loss: print(name, f"{loss:.5f}"))
+            train_rest(
+                given.folder, given.output, day, twilight, given.seed, lambda name, loss: print(name, f"{loss:.5f}")
+            )
         )
     except (ValueError, OSError, ImportError) as error:
         print(error, file=sys.stderr)

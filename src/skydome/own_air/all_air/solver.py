@@ -71,7 +71,7 @@ class Solver:
             mean = source.mean(axis=(1, 3))
             tail, last = series_tail(mean, before, total.mean(axis=(1, 3)), tolerance)
             if last or order == orders:
-                total = total + source * np.float32(tail)[:, None, :, None, :]
+                total = total + source * tail[:, None, :, None, :].astype(np.float32)
                 break
             before = mean
             sweep(source, self.starts[0], self.starts[1], suns, azimuths, norm, weight, light)
