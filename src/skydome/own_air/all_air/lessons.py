@@ -32,7 +32,7 @@ def make_lessons(
 ) -> int:
     """Solves so many batches of random airs into a folder; the count that was missing.
 
-    ValueError for fewer than one batch; OSError where the folder cannot be made. Needs numba and scipy.
+    ValueError for fewer than one batch, and for a grid too coarse to give finite light; OSError where the folder cannot be made. Needs numba and scipy.
     """
     if batches < 1:
         raise ValueError(f"batches must be 1 or more, got {batches}")
@@ -60,6 +60,8 @@ def lesson_of(solver: Solver, seed: int, number: int) -> dict[str, np.ndarray]:
     sines = random_suns(np.random.default_rng((seed, number, 1)))
     cosines, azimuths = np.asarray(view_nodes(VIEWS - 8)), np.linspace(0, np.pi, AZIMUTHS)
     rest, once = solver.at_ground(solver.solve(air), sines, cosines, azimuths)
+    if not (np.isfinite(rest).all() and np.isfinite(once).all()):
+        raise ValueError(f"the light of batch {number} must be finite: the grid of {solver.places} is too coarse")
     shape = (AIRS, SUNS, VIEWS * AZIMUTHS)
     light = {"rest": rest, "once": once}
     return {"sines": sines, "air": np.stack(air)} | {
