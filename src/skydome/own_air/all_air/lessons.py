@@ -32,7 +32,8 @@ def make_lessons(
 ) -> int:
     """Solves so many batches of random airs into a folder; the count that was missing.
 
-    ValueError for fewer than one batch, and for a grid too coarse to give finite light; OSError where the folder cannot be made. Needs numba and scipy.
+    ValueError for fewer than one batch, and for a grid too coarse to give finite light; OSError where the folder
+    cannot be made. Needs numba and scipy.
     """
     if batches < 1:
         raise ValueError(f"batches must be 1 or more, got {batches}")
