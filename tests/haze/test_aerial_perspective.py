@@ -249,7 +249,7 @@ def test_gradient_of_turbidity_and_jax():
     jax = pytest.importorskip("jax")
     t = torch.tensor(3.0, dtype=torch.float64, requires_grad=True)
     sky = sd.Preetham(torch.as_tensor(SUN), 3.0)
-    air = aerial_perspective(sky, 8000.0, torch.as_tensor(sd.EAST), turbidity=t)
+    air = aerial_perspective(sky, 8000.0, sd.EAST, turbidity=t)
     air.transmittance.sum().backward()
     assert float(t.grad) < 0
     sky = sd.Preetham(jax.numpy.asarray(SUN), 3.0)

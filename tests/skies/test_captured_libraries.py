@@ -77,7 +77,7 @@ def test_integrals_turning_relighting_and_sums(convert):
     close(sd.illuminance(sky, convert(normals)), wanted, 1e-4)
     half = 0.5 * sky
     close(half.luminance(convert(VIEWS)), 0.5 * sky.luminance(VIEWS), 1e-4)
-    directions, density = sd.sample(sky, 4000, seed=3, normal=convert(sd.ZENITH))
+    directions, density = sd.sample(sky, 4000, seed=3, normal=convert(np.array(sd.ZENITH)))
     received = sky.luminance(directions) * directions[..., 2] / density
     assert float(np.mean(np.asarray(received))) == pytest.approx(float(sd.illuminance(sky)), rel=0.01)
 
