@@ -110,7 +110,7 @@ def test_mitsuba_finds_compass_and_spot(name, tmp_path):
     """
     mi = pytest.importorskip("mitsuba")
     mi.set_variant("scalar_rgb")
-    card().save(tmp_path / "card.exr", target=name, white_luminance=1.0)
+    card().save(tmp_path / "card.exr", target=name, half=False, white_luminance=1.0)
     sky = {"type": "envmap", "filename": str(tmp_path / "card.exr")}
     emitter = mi.load_dict({"type": "scene", "sky": sky}).environment()
 
