@@ -15,8 +15,9 @@ def cells(knots: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
     How far is 0..1 of a cell within the knots, and beyond it outside.
 
-    >>> cells(np.array([1.0, 2.0, 4.0]), np.array([3.0, 5.0]))
-    (array([1, 1]), array([0.5, 1.5]))
+    >>> cell, share = cells(np.array([1.0, 2.0, 4.0]), np.array([3.0, 5.0]))
+    >>> cell.tolist(), share.tolist()
+    ([1, 1], [0.5, 1.5])
     """
     cell = np.searchsorted(knots[1:-1], x, side="right")
     return cell, (x - knots[cell]) / (knots[cell + 1] - knots[cell])

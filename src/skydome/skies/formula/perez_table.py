@@ -34,8 +34,9 @@ def clearness(direct_normal: Array, diffuse_horizontal: Array, sun_zenith: Array
 
     A sky without diffuse light under a sun is the clearest there is; without either it counts as overcast.
 
-    >>> clearness(np.array([911.0, 911.0, 0.0]), np.array([0.001, 0.0, 0.0]), np.array(0.7)) > 6.2
-    array([ True,  True, False])
+    >>> found = clearness(np.array([911.0, 911.0, 0.0]), np.array([0.001, 0.0, 0.0]), np.array(0.7))
+    >>> (found > 6.2).tolist()
+    [True, True, False]
     """
     cube = 1.041 * sun_zenith**3
     return (1 + direct_normal / at_least(diffuse_horizontal, LEAST_DIFFUSE) + cube) / (1 + cube)
