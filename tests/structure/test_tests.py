@@ -6,7 +6,7 @@ TESTS = Path(__file__).parents[1]
 ACROSS = {"docs", "golden", "structure", "skies/differentiable"}
 """Pages, golden numbers, this folder, and what every sky does with arrays of every library."""
 
-ELSEWHERE = {"figures", "cli/commands"}
+ELSEWHERE = {"figures", "cli/commands", "cli/learning"}
 """Rooms tested by the command line's tests."""
 
 

@@ -207,7 +207,7 @@ def test_bad_commands(tmp_path):
 
 def test_the_command_writes_a_network(tmp_path, monkeypatch):
     """In this process, with a recipe small enough for a test."""
-    from skydome.cli.commands.train import train as run
+    from skydome.cli.learning.train import train as run
 
     monkeypatch.setitem(RECIPES, "published", SMALL)
     path = tmp_path / "net.safetensors"

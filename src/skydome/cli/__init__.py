@@ -11,4 +11,5 @@
 - printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
 - commands/         One command a file
+- learning/         Commands that measure, simulate and learn, one a file
 """

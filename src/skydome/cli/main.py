@@ -7,10 +7,7 @@ import typer
 from typer.core import TyperGroup
 
 from skydome import __version__
-from skydome.cli.commands.animate import animate
 from skydome.cli.commands.convert import convert
-from skydome.cli.commands.evaluate import evaluate
-from skydome.cli.commands.fit import fit
 from skydome.cli.commands.glare import glare
 from skydome.cli.commands.illuminance import illuminance
 from skydome.cli.commands.light import light
@@ -18,11 +15,14 @@ from skydome.cli.commands.list_models import models
 from skydome.cli.commands.plot import plot
 from skydome.cli.commands.render import render
 from skydome.cli.commands.shader import shader
-from skydome.cli.commands.simulate import simulate
 from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
-from skydome.cli.commands.train import train
 from skydome.cli.commands.year import year
+from skydome.cli.learning.animate import animate
+from skydome.cli.learning.evaluate import evaluate
+from skydome.cli.learning.fit import fit
+from skydome.cli.learning.simulate import simulate
+from skydome.cli.learning.train import train
 from skydome.cli.options import target_help
 
 BAD_INPUT, INTERRUPTED = 2, 130

@@ -1,4 +1,4 @@
-"""One command a file.
+"""One command a file; those that measure, simulate and learn are in `cli/learning`.
 
 - render       `skydome render`, an environment map of the sky in a file
 - light        `skydome light`: the numbers of the sky's light
@@ -11,9 +11,4 @@
 - illuminance  `skydome illuminance`: the light on a plane, tilted or not, under an open or an obstructed sky
 - year         `skydome year`: a weather file in, a year of skies out; or many sites on a cluster
 - terrain      `skydome terrain`: a picture of real land under a sky, with the air in between
-- evaluate     `skydome evaluate`: sky models against a measured sky
-- simulate     `skydome simulate`: a grid of simulated skies, written to a Zarr store
-- fit          `skydome fit`: from a store of simulated skies to the tables of a sky model of one's own
-- train        `skydome train`: a small neural network that learns a sky model
-- animate      `skydome animate`: smooth frames between captured skies
 """
