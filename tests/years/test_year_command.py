@@ -36,14 +36,33 @@ def test_stores_open_again(files, tmp_path, ending):
     import xarray
 
     store = tmp_path / f"year{ending}"
-    for _ in range(2):  # the second time over the first
-        assert skydome(files["wea"], "-o", store).returncode == 0
+    for more in ([], ["--overwrite"]):  # the second time over the first
+        assert skydome(files["wea"], "-o", store, *more).returncode == 0
     opened = xarray.open_zarr(store) if ending == ".zarr" else xarray.open_dataset(store, engine="h5netcdf")
     with opened as data:
         total = data.luminance.values @ data.horizontal_solid_angle.values
         assert np.allclose(total, data.diffuse_horizontal_illuminance, rtol=1e-5)
         assert "flag_meanings" in data.status.attrs
     assert [entry.name for entry in tmp_path.iterdir()] == [store.name]
+
+
+def test_no_folder_is_lost(files, tmp_path):
+    """Only a year that skydome wrote is replaced, and on purpose; an empty folder may be filled."""
+    photos, year = tmp_path / "photos.zarr", tmp_path / "year.zarr"
+    photos.mkdir()
+    year.mkdir()
+    (photos / "zarr.json").write_text('{"attributes": {"title": "mine"}}')
+    assert skydome(files["wea"], "-o", year).returncode == 0
+    for store, more, message in (
+        (photos, [], "must be empty or a year that skydome wrote"),
+        (photos, ["--overwrite"], "must be empty or a year that skydome wrote"),
+        (year, [], "holds a year already"),
+    ):
+        before = {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
+        answer = skydome(tmp_path / "nothing.epw", "-o", store, *more)  # before the weather is looked for
+        assert (answer.returncode, len(answer.stderr.splitlines())) == (2, 1)
+        assert message in answer.stderr
+        assert {path: path.read_bytes() for path in store.rglob("*") if path.is_file()} == before
 
 
 @pytest.mark.parametrize("ending", [".mtx", ".nc", ".zarr"])
@@ -62,6 +81,7 @@ def test_a_full_disk_leaves_nothing(files, tmp_path, ending):
         (["EPW", "-o", "year.json"], "-o must end in .zarr, .nc or .mtx"),
         (["EPW", "-o", "no/such/year.mtx"], "the folder to write to must exist"),
         (["EPW", "--suns", "no/such/suns.rad"], "the folder to write to must exist"),
+        (["EPW", "--workers", "-1"], "--workers"),
         (["EPW", "--plot", "year.jpg"], "must end in .png, .svg or .pdf"),
         (["EPW", "--patches", "klems"], "patches must be tregenza"),
         (["EPW", "--compat", "magic"], "compat must be one of"),

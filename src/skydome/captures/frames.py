@@ -14,7 +14,7 @@ from skydome.captures.animation import Animation, change, roughest
 from skydome.captures.capture_training import train_captures
 from skydome.captures.captures import MASK, Capture, read_captures
 from skydome.captures.sky_mask import write_mask
-from skydome.ground.writing import appearing, require_place
+from skydome.ground.writing import appearing, is_hidden_part, require_place
 from skydome.maps.files import half_white
 from skydome.skies.neural.files import load_network, save_network
 from skydome.skies.neural.network import Network
@@ -85,7 +85,7 @@ def run(job: Job, tell: Tell) -> dict[str, Any]:
 def require_free_folder(job: Job) -> None:
     """OSError where the folder cannot be made; ValueError where it holds frames of something else, or other things."""
     require_place(job.output, folder=True)
-    if not job.output.exists() or not any(job.output.iterdir()):
+    if not job.output.exists() or all(is_hidden_part(path) for path in job.output.iterdir()):
         return
     if not job.note.exists():
         raise ValueError(f"the folder for the frames must be empty or of this animation, got {job.output}")

@@ -28,7 +28,7 @@ def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) ->
     if endings and path.suffix.lower() not in endings:
         allowed = " or ".join(filter(None, (", ".join(endings[:-1]), endings[-1])))
         raise ValueError(f"{what} must end in {allowed}, got {path.name!r}")
-    require_place(path, folder=path.suffix == STORE)
+    require_place(path, folder=path.suffix.lower() == STORE)
 
 
 def require_picture(path: Path | None, exposure: float | None) -> None:

@@ -15,5 +15,6 @@
 - exr                OpenEXR files with their light's unit, place, time and provenance in the header
 - arguments          What is asked of arguments before any work: kinds, files that are there, shapes
 - extras             Libraries that not every user needs: each comes with an extra, and is asked for before any work
-- writing            Files that appear whole or not at all
+- writing            Files that appear whole or not at all: the one writer
+- files/             Folders that appear whole, contents hashed
 """

@@ -11,7 +11,6 @@ from hashlib import sha256
 from itertools import product
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,9 @@ from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
+from skydome.ground.files.folders import folder_appearing
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
+from skydome.years.stores.cluster import cluster_client
 
 FORM = 2
 """Number of the store's layout and of the simulation's meaning; a change makes old stores another grid."""
@@ -107,19 +108,32 @@ def simulated(grid: Grid, piece: tuple[int, int]) -> Array:
 
 
 def prepared(grid: Grid, path: Path) -> None:
-    """Make the store's frame where it is not there; ValueError where it holds another grid."""
+    """Make the store's frame where it is not there; ValueError where it holds another grid.
+
+    Several may begin one store at once: the first to be ready makes it, the others take that one.
+    """
     import zarr
 
-    if path.exists():
+    if not path.exists():
         try:
-            held = zarr.open_group(path, mode="r").attrs.get("fingerprint")
-        except (FileNotFoundError, ValueError) as error:
-            raise ValueError(f"{path} is there and is no Zarr store") from error
-        if held != grid.fingerprint():
-            raise ValueError(f"{path} holds another grid; choose another path, or remove it")
-        return
-    beside = path.with_name(f".{path.name}.part")
-    group = zarr.open_group(beside, mode="w")
+            with folder_appearing(path) as beside:
+                make_frame(grid, beside)
+            return
+        except FileExistsError:
+            pass  # another was sooner
+    try:
+        held = zarr.open_group(path, mode="r").attrs.get("fingerprint")
+    except Exception as error:
+        raise ValueError(f"{path} is there and is no Zarr store") from error
+    if held != grid.fingerprint():
+        raise ValueError(f"{path} holds another grid; choose another path, or remove it")
+
+
+def make_frame(grid: Grid, path: Path) -> None:
+    """A store without any light: what is not there reads as NaN."""
+    import zarr
+
+    group = zarr.open_group(path, mode="w-")
     chunks = (1, 1, *grid.shape[2:])
     group.create_array("radiance", shape=grid.shape, chunks=chunks, dtype="float32", fill_value=np.nan)
     for name in ("turbidities", "albedos", "elevations", "zenith_angles", "azimuths", "wavelengths"):
@@ -128,12 +142,20 @@ def prepared(grid: Grid, path: Path) -> None:
     group.attrs.update(
         {"grid": asdict(grid), "unit": "sr-1 for sunlight of irradiance 1", "fingerprint": grid.fingerprint()}
     )
-    beside.rename(path)
 
 
 def is_there(path: Path, piece: tuple[int, int]) -> bool:
-    """True where a piece's chunk is written (Zarr's local store writes beside and renames: whole or not at all)."""
-    return (path / "radiance" / "c" / str(piece[0]) / str(piece[1]) / "0/0/0/0").exists()
+    """True where a piece is written and can be read whole: not empty, cut short, or lost."""
+    import zarr
+
+    chunk = path / "radiance" / "c" / str(piece[0]) / str(piece[1]) / "0/0/0/0"
+    if not chunk.exists():
+        return False
+    try:
+        light = zarr.open_group(path, mode="r")["radiance"][piece[0], piece[1]]
+    except Exception:  # by zarr, and by whichever library packs the chunk
+        return False
+    return bool(np.isfinite(light).all())
 
 
 def write_piece(grid: Grid, path: str, piece: tuple[int, int]) -> tuple[int, int]:
@@ -160,25 +182,22 @@ def simulate(
     """
     required("nanodisort", "rt", "a simulation")
     required("zarr", "scale", "a simulation")
-    if scheduler is not None or workers:
-        required("distributed", "scale", "a simulation by many workers")
     path = Path(path)
-    prepared(grid, path)
-    missing = [piece for piece in grid.pieces if not is_there(path, piece)]
     report = progress or (lambda done, of: None)
     if scheduler is None and workers == 0:
+        prepared(grid, path)
+        missing = [piece for piece in grid.pieces if not is_there(path, piece)]
         for k, piece in enumerate(missing):
             write_piece(grid, str(path), piece)
             report(k + 1, len(missing))
         return len(missing)
-    from distributed import Client, LocalCluster, as_completed
+    from distributed import as_completed
 
-    cluster: Any = None if scheduler else LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
-    with Client(scheduler or cluster) as client:
+    with cluster_client("a simulation by many workers", scheduler, workers) as client:
+        prepared(grid, path)
+        missing = [piece for piece in grid.pieces if not is_there(path, piece)]
         jobs = client.map(lambda piece: write_piece(grid, str(path.resolve()), piece), missing, pure=False, retries=3)
         for k, done in enumerate(as_completed(jobs)):
             done.result()
             report(k + 1, len(missing))
-    if cluster is not None:
-        cluster.close()
     return len(missing)

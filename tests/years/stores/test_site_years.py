@@ -2,12 +2,16 @@
 
 import os
 import signal
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from skydome.years.skies.series import year
+from skydome.years.skies.status import BITS
+from skydome.years.stores import cluster
 from skydome.years.stores.sites import Site, read_sites, run_sites
 from skydome.years.stores.sites_store import DONE, FAILED, FIELDS, open_store, write_site
 from skydome.years.weather.wea import write_wea
@@ -31,7 +35,8 @@ def test_chunks_are_those_that_zarr_writes(greensboro, tmp_path):
     import xarray
     import zarr
 
-    sites = [Site(k, f"site {k}", "a.wea") for k in range(3)]
+    write_wea(greensboro, tmp_path / "a.wea")
+    sites = [Site(k, f"site {k}", str(tmp_path / "a.wea")) for k in range(3)]
     data = year(greensboro)
     by_zarr = open_store(tmp_path / "zarr.zarr", sites, {})
     open_store(tmp_path / "files.zarr", sites, {})
@@ -45,7 +50,8 @@ def test_chunks_are_those_that_zarr_writes(greensboro, tmp_path):
     group = zarr.open_group(tmp_path / "files.zarr", mode="r")
     assert group["state"][:].tolist() == [0, DONE, 0]
     assert np.array_equal(group["luminance"][1], data.luminance.values)
-    assert not group["luminance"][2].any()
+    assert np.isnan(group["luminance"][2]).all()
+    assert (group["status"][2] == BITS["missing"]).all()
     with xarray.open_zarr(tmp_path / "files.zarr", consolidated=False) as opened:
         assert np.array_equal(opened.status[1], data.status)
         assert opened.time.dims == ("site", "time")
@@ -59,8 +65,8 @@ def test_a_killed_worker_changes_nothing(folder, tmp_path):
     sites, bad = read_sites(folder / "sites.csv")
     assert bad == []
     seen = []
-    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
-        victim = next(iter(cluster.workers.values())).pid
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as workers:
+        victim = next(iter(workers.workers.values())).pid
         killed_at = []
 
         def kill_one(done, total):
@@ -69,9 +75,9 @@ def test_a_killed_worker_changes_nothing(folder, tmp_path):
                 killed_at.append(done)
                 os.kill(victim, signal.SIGKILL)
 
-        told = run_sites(tmp_path / "a.zarr", sites, cluster.scheduler_address, progress=kill_one)
+        told = run_sites(tmp_path / "a.zarr", sites, workers.scheduler_address, progress=kill_one)
         assert killed_at[0] < 12
-        assert victim not in [worker.pid for worker in cluster.workers.values()]
+        assert victim not in [worker.pid for worker in workers.workers.values()]
     assert told == []
     assert seen[-1] == (12, 12)
     group = zarr.open_group(tmp_path / "a.zarr", mode="r")
@@ -83,19 +89,69 @@ def test_a_killed_worker_changes_nothing(folder, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_restart_does_the_rest_only(folder, tmp_path):
+def test_a_restart_does_the_rest_and_what_was_lost(folder, tmp_path):
+    """Sites left open, and chunks that are empty, cut short or gone though their site is marked done."""
     sites, _ = read_sites(folder / "sites.csv")
-    group = open_store(tmp_path / "b.zarr", sites, {})
-    group["state"][:10] = DONE
+    store = tmp_path / "b.zarr"
+    assert run_sites(store, sites[:10]) == []
+    whole = {path: path.read_bytes() for path in store.rglob("c*") if path.is_file()}
+    lost = [store / "luminance/c.1.0.0", store / "status/c.4.0", store / "sun_azimuth/c.7.0", store / "state/c.9"]
+    lost[0].write_bytes(b"")
+    lost[1].write_bytes(whole[lost[1]][:-5])
+    lost[2].unlink()
+    lost[3].write_bytes(b"")
     seen = []
-    run_sites(tmp_path / "b.zarr", sites, progress=lambda done, total: seen.append(done))
-    assert seen[0] == 10
-    assert seen[-1] == 12
-    assert not group["luminance"][9].any()
-    assert group["luminance"][10].any()
-    assert run_sites(tmp_path / "b.zarr", sites) == []
+    moved = [replace(site, file=os.path.relpath(site.file)) for site in sites[:10]]  # the same files by another path
+    assert run_sites(store, moved, progress=lambda done, total: seen.append(done)) == []
+    assert (seen[0], seen[-1]) == (6, 10)
+    assert {path: path.read_bytes() for path in store.rglob("c*") if path.is_file()} == whole
     with pytest.raises(ValueError, match="holds other sites or choices"):
-        run_sites(tmp_path / "b.zarr", sites[:3])
+        run_sites(store, sites[:3])
+
+
+def test_a_store_is_of_the_weather_not_of_its_files_names(folder, tmp_path):
+    (tmp_path / "there.wea").write_bytes((folder / "0.wea").read_bytes())
+    site = Site(2, "site", str(tmp_path / "there.wea"))
+    open_store(tmp_path / "a.zarr", [site], {})
+    (tmp_path / "there.wea").rename(tmp_path / "here.wea")
+    open_store(tmp_path / "a.zarr", [Site(7, "site", str(tmp_path / "here.wea"))], {})
+    (tmp_path / "here.wea").write_bytes((folder / "1.wea").read_bytes())
+    with pytest.raises(ValueError, match="holds other sites or choices"):
+        open_store(tmp_path / "a.zarr", [Site(7, "site", str(tmp_path / "here.wea"))], {})
+
+
+BEGIN = """
+import sys
+from pathlib import Path
+from skydome.years.stores.sites_store import Site, open_store
+Path(sys.argv[3]).touch()
+while not Path(sys.argv[2]).exists():
+    pass
+open_store(sys.argv[1], [Site(2, "site", sys.argv[4])], {})
+"""
+
+
+def test_many_processes_begin_one_store(folder, tmp_path):
+    """All at once: one makes it, every other opens that one. (20 at once, 20 times: `just fuzz`.)"""
+    store, go = tmp_path / "a.zarr", tmp_path / "go"
+    ready = [tmp_path / f"ready{k}" for k in range(4)]
+    given = [[store, go, mark, folder / "0.wea"] for mark in ready]
+    running = [subprocess.Popen([sys.executable, "-c", BEGIN, *map(str, each)]) for each in given]
+    while not all(mark.exists() for mark in ready) and all(process.poll() is None for process in running):
+        pass
+    go.touch()
+    assert [process.wait(60) for process in running] == [0] * 4
+    assert {path.name for path in tmp_path.iterdir()} == {"a.zarr", "go", *(mark.name for mark in ready)}
+
+
+def test_a_scheduler_that_does_not_answer_is_refused_before_the_work(folder, tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    sites, _ = read_sites(folder / "sites.csv")
+    with pytest.raises(ConnectionError, match=r"must answer at tcp://127.0.0.1:9 within 0.5 s"):
+        run_sites(tmp_path / "a.zarr", sites, scheduler="tcp://127.0.0.1:9")
+    with pytest.raises(ValueError, match="workers must be 1 or more, got -1"):
+        run_sites(tmp_path / "a.zarr", sites, workers=-1)
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.slow

@@ -6,13 +6,14 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
-from skydome.cli.doors import progress, require_output
+from skydome.cli.doors import STORE, progress, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
+MOST_WORKERS = 1024
 
 
 def year(
@@ -47,7 +48,10 @@ def year(
     utc_offset: Annotated[float, Option(metavar="HOURS", help="Hours east of UTC, for such a table.")] = 0.0,
     weather_folder: Annotated[Path | None, Option(help="Where the files of sites.csv lie.")] = None,
     scheduler: Annotated[str | None, Option(metavar="ADDRESS", help="A Dask scheduler, for sites.csv.")] = None,
-    workers: Annotated[int, Option(help="Worker processes here, where no scheduler is given.")] = 2,
+    workers: Annotated[
+        int, Option(min=1, max=MOST_WORKERS, help="Worker processes here, where no scheduler is given.")
+    ] = 2,
+    overwrite: Annotated[bool, Option("--overwrite", help="Replace the year that is in -o X.zarr.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Make the skies of a year from a weather file, on patches of the dome."""
@@ -59,14 +63,19 @@ def year(
     reading["utc_offset"] = utc_offset
     require_outputs(output, suns, plot)
     check_extras(output, plot)
+    sites = weather.suffix.lower() == ".csv" and is_sites(weather)
+    if output is not None and is_store(output) and not sites:
+        from skydome.years.stores.stores import require_free
+
+        require_free(output, overwrite)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
-        if weather.suffix.lower() == ".csv" and is_sites(weather):
+        if sites:
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
             required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
         else:
-            facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot)
+            facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot, overwrite)
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
     facts["notes"] = facts.get("notes", []) + notes
     show_facts(facts, as_json)
@@ -83,11 +92,16 @@ def require_outputs(output: Path | None, suns: Path | None, plot: Path | None) -
     require_output(plot, "a plot's file", FORMATS)
 
 
+def is_store(output: Path) -> bool:
+    """True for a Zarr store, a folder."""
+    return output.suffix.lower() == STORE
+
+
 def check_extras(output: Path | None, plot: Path | None) -> None:
     """ImportError, before any work, for what the files to write need."""
     required("xarray", "year", "a year of skies")
     if output is not None:
-        required(ENDINGS[output.suffix], "year", f"a year as {output.suffix}")
+        required(ENDINGS[output.suffix.lower()], "year", f"a year as {output.suffix}")
     if plot is not None:
         required("matplotlib", "plot", "a plot")
 
@@ -132,6 +146,7 @@ def single(
     sun_in_patch: bool,
     suns: Path | None,
     plot: Path | None,
+    overwrite: bool,
 ) -> dict[str, Any]:
     """One site's year, written and drawn; the facts to print."""
     from skydome.years.skies.series import year as year_of
@@ -142,14 +157,14 @@ def single(
 
     with progress("a year of skies"):
         weather = read_weather(path, **reading)
-        if output is not None and output.suffix == ".zarr" and choices["compat"] != "gendaymtx":
-            data = write_year(weather, output, **choices)
+        if output is not None and is_store(output) and choices["compat"] != "gendaymtx":
+            data = write_year(weather, output, overwrite=overwrite, **choices)
         else:
             data = year_of(weather, **choices)
-            if output is not None and output.suffix == ".mtx":
+            if output is not None and output.suffix.lower() == ".mtx":
                 write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
             elif output is not None:
-                write_dataset(data, output)
+                write_dataset(data, output, overwrite)
         if suns is not None:
             write_suns(data, suns)
         if plot is not None:
@@ -184,7 +199,7 @@ def many(
     """The years of all sites in one Zarr store, with progress; the facts to print."""
     from skydome.years.stores.sites import read_sites, run_sites
 
-    if output is None or output.suffix != ".zarr":
+    if output is None or not is_store(output):
         raise ValueError("many sites need -o skies.zarr")
     sites, bad = read_sites(path, folder)
     if not sites:

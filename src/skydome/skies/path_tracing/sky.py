@@ -13,6 +13,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
+from skydome.ground.files.contents import digest_of
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
@@ -174,11 +175,8 @@ class TracingJob:
 
     def fingerprint(self) -> str:
         """A hash of everything that the result depends on but the passes."""
-        from hashlib import sha256
-
-        described = repr(replace(self.sky, sun=tuple(np.asarray(self.sky.sun).tolist())).parameters())
-        data = self.directions.tobytes() + self.wavelengths.tobytes() + repr(self.sky.atmosphere).encode()
-        return sha256(f"{described} {PATHS}".encode() + data).hexdigest()
+        sky = replace(self.sky, sun=np.asarray(self.sky.sun, dtype=np.float64))
+        return digest_of(PATHS, sky, self.directions, self.wavelengths)
 
 
 @dataclass(frozen=True, eq=False)

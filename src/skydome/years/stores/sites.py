@@ -2,7 +2,7 @@
 
 import csv
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -11,7 +11,8 @@ from typing import Any
 from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
 from skydome.sun.track import SunTrack
-from skydome.years.stores.sites_store import DONE, FAILED, HOURS, Site, mark, open_store, write_site
+from skydome.years.stores.cluster import cluster_client
+from skydome.years.stores.sites_store import FAILED, HOURS, Site, is_whole, mark, open_store, write_site
 from skydome.years.weather.closure import aligned
 from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
@@ -96,23 +97,21 @@ def run_sites(
 ) -> list[str]:
     """Fill the store on a Dask cluster (`scheduler` address, or worker processes of this machine); what to tell.
 
-    Sites that are done already are left; a worker that dies has its sites done again by another. Every site's numbers
-    are the same, whoever computes them. `progress(done, total)` is called as sites come in.
+    Sites that are done already, and whole, are left; a worker that dies has its sites done again by another. Every
+    site's numbers are the same, whoever computes them. `progress(done, total)` is called as sites come in.
     """
-    required("dask.distributed", "scale", "the years of many sites")
-    from dask.distributed import Client, LocalCluster, as_completed
+    purpose = "the years of many sites"
+    required("dask.distributed", "scale", purpose)
+    from dask.distributed import as_completed
 
-    group = open_store(store, sites, choices)
-    state = group["state"][:]
-    open_work = [(k, site) for k, site in enumerate(sites) if state[k] != DONE]
-    batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
-    notes: list[str] = []
-    done = len(sites) - len(open_work)
-    if progress is not None:
-        progress(done, len(sites))
-    if not batches:
-        return notes
-    with cluster_client(Client, LocalCluster, scheduler, workers) as client:
+    with cluster_client(purpose, scheduler, workers) as client:
+        group = open_store(store, sites, choices)
+        open_work = [(k, site) for k, site in enumerate(sites) if not is_whole(store, group, k)]
+        batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
+        notes: list[str] = []
+        done = len(sites) - len(open_work)
+        if progress is not None:
+            progress(done, len(sites))
         futures = [client.submit(make_sites, str(store), batch, choices, pure=False, retries=3) for batch in batches]
         for future in as_completed(futures):
             outcomes = future.result()
@@ -121,18 +120,3 @@ def run_sites(
             if progress is not None:
                 progress(done, len(sites))
     return sorted(notes)
-
-
-def cluster_client(client: Any, cluster: Any, scheduler: str | None, workers: int) -> Any:
-    """A client of the scheduler at an address, or of new single-threaded worker processes here."""
-    from contextlib import contextmanager
-
-    @contextmanager
-    def here() -> Iterator[Any]:
-        with (
-            cluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as local,
-            client(local) as connected,
-        ):
-            yield connected
-
-    return client(scheduler) if scheduler is not None else here()

@@ -6,14 +6,19 @@ names and encodes them: seven small writes a site by `zarr` itself took as long 
 
 import json
 import os
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.files.contents import digest_of_file
+from skydome.ground.files.folders import folder_appearing
+from skydome.ground.writing import hidden_beside
+from skydome.years.skies.status import BITS
 
 if TYPE_CHECKING:
     import xarray
@@ -23,8 +28,11 @@ DONE, FAILED = 1, 2
 """What the store's `state` holds of each site; 0: not yet."""
 
 FIELDS = ("sun_azimuth", "sun_elevation", "direct_normal_illuminance", "diffuse_horizontal_illuminance")
-LAYOUT = 2
+LAYOUT = 3
 """Goes up when chunks are written otherwise, so that no store is filled in two ways."""
+
+BLOSC_HEAD = Struct("<4xI4xI")
+"""Bytes that a chunk holds, and its own length (Blosc 1, README_CHUNK_FORMAT)."""
 
 LEVEL, BYTE_SHUFFLE = 1, 1
 """Choices of Blosc (lz4): as small as zstd's for luminance, in a quarter of the time."""
@@ -40,33 +48,58 @@ class Site:
 
 
 def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str, Any]) -> Any:
-    """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others."""
+    """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others.
+
+    Several may begin one store at once: the first to be ready makes it, the others open that one.
+    """
     import zarr
 
-    about = {"sites": [asdict(site) for site in sites], "choices": choices, "layout": LAYOUT}
-    if Path(store).exists():
+    about = about_of(sites, choices)
+    if not Path(store).exists():
+        try:
+            with folder_appearing(store) as beside:
+                make_store(beside, len(sites), choices, about)
+        except FileExistsError:
+            pass  # another was sooner
+    try:
         group = zarr.open_group(store, mode="r+")
-        if json.loads(group.attrs.get("skydome", "{}")) != about:
-            raise ValueError(f"{store} holds other sites or choices; give another name, or remove it")
-        return group
-    cut = patches_named(choices.get("patches", "tregenza"))
-    group = zarr.open_group(store, mode="w")
-    count = len(sites)
-    new_array(group, "luminance", (count, HOURS, cut.count), ["site", "time", "patch"], "float32")
-    for name in FIELDS:
-        new_array(group, name, (count, HOURS), ["site", "time"], "float32")
-    new_array(group, "status", (count, HOURS), ["site", "time"], "uint16")
-    new_array(group, "time", (count, HOURS), ["site", "time"], "int64")
-    group["time"].attrs["units"] = "seconds since 1970-01-01"
-    new_array(group, "state", (count,), ["site"], "uint8")
-    for name, values in (("solid_angle", cut.solid_angles), ("horizontal_solid_angle", cut.horizontal_solid_angles)):
-        group.create_array(name, data=values, dimension_names=["patch"])
-    group.attrs["skydome"] = json.dumps(about)
+        held = json.loads(group.attrs["skydome"])
+    except Exception as error:
+        raise ValueError(f"{store} is there and is no store of sites") from error
+    if held != json.loads(json.dumps(about)):
+        raise ValueError(f"{store} holds other sites or choices; give another name, or remove it")
     return group
 
 
-def new_array(group: Any, name: str, shape: tuple[int, ...], dims: list[str], dtype: str) -> None:
-    """An empty array with a chunk for each site, in files side by side; `state` is not compressed."""
+def about_of(sites: list[Site], choices: dict[str, Any]) -> dict[str, Any]:
+    """What a store is of: names and contents of its weather, whatever the files are called, and the choices."""
+    return {
+        "sites": [{"name": site.name, "weather": digest_of_file(site.file)} for site in sites],
+        "choices": choices,
+        "layout": LAYOUT,
+    }
+
+
+def make_store(store: str | PathLike[str], count: int, choices: dict[str, Any], about: dict[str, Any]) -> None:
+    """The store without any site's numbers: what is not there reads as NaN, and as missing in `status`."""
+    import zarr
+
+    cut = patches_named(choices.get("patches", "tregenza"))
+    group = zarr.open_group(store, mode="w-")
+    new_array(group, "luminance", (count, HOURS, cut.count), ["site", "time", "patch"], "float32", np.nan)
+    for name in FIELDS:
+        new_array(group, name, (count, HOURS), ["site", "time"], "float32", np.nan)
+    new_array(group, "status", (count, HOURS), ["site", "time"], "uint16", BITS["missing"])
+    new_array(group, "time", (count, HOURS), ["site", "time"], "int64", 0)
+    group["time"].attrs["units"] = "seconds since 1970-01-01"
+    new_array(group, "state", (count,), ["site"], "uint8", 0)
+    for name, values in (("solid_angle", cut.solid_angles), ("horizontal_solid_angle", cut.horizontal_solid_angles)):
+        group.create_array(name, data=values, dimension_names=["patch"])
+    group.attrs["skydome"] = json.dumps(about)
+
+
+def new_array(group: Any, name: str, shape: tuple[int, ...], dims: list[str], dtype: str, empty: float) -> None:
+    """An array of `empty`, with a chunk for each site, in files side by side; `state` is not compressed."""
     from zarr.codecs import BloscCodec
 
     size = np.dtype(dtype).itemsize
@@ -78,8 +111,36 @@ def new_array(group: Any, name: str, shape: tuple[int, ...], dims: list[str], dt
         compressors=BloscCodec(typesize=size, cname="lz4", clevel=LEVEL, shuffle="shuffle") if shape[1:] else None,
         chunk_key_encoding={"name": "default", "separator": "."},
         dimension_names=dims,
-        fill_value=0,
+        fill_value=empty,
     )
+
+
+def is_whole(store: str | PathLike[str], group: Any, index: int) -> bool:
+    """True for a site that is marked done and whose chunks are all there in full."""
+    arrays = {name: group[name] for name in ("luminance", *FIELDS, "status", "time")}
+    return state_of(store, index) == DONE and all(
+        has_chunk(chunk_file(store, name, index, array.ndim - 1), array.dtype.itemsize * int(np.prod(array.shape[1:])))
+        for name, array in arrays.items()
+    )
+
+
+def state_of(store: str | PathLike[str], index: int) -> int:
+    """The state of a site, 0 where none is written."""
+    try:
+        return int.from_bytes(Path(chunk_file(store, "state", index, 0)).read_bytes())
+    except FileNotFoundError:
+        return 0
+
+
+def has_chunk(path: str, size: int) -> bool:
+    """True for a chunk's file of the length that its Blosc header tells, holding `size` bytes."""
+    try:
+        with open(path, "rb") as file:
+            head = file.read(BLOSC_HEAD.size)
+            length = os.fstat(file.fileno()).st_size
+    except FileNotFoundError:
+        return False
+    return len(head) == BLOSC_HEAD.size and BLOSC_HEAD.unpack(head) == (size, length)
 
 
 def write_site(store: str | PathLike[str], index: int, data: "xarray.Dataset", middle: np.ndarray) -> None:
@@ -97,14 +158,25 @@ def write_chunk(store: str | PathLike[str], name: str, index: int, values: np.nd
     from numcodecs import Blosc
 
     encoded = Blosc("lz4", LEVEL, BYTE_SHUFFLE).encode(np.ascontiguousarray(values))
-    with open(chunk_file(store, name, index, values.ndim), "wb") as file:
-        file.write(encoded)
+    put(chunk_file(store, name, index, values.ndim), encoded)
 
 
 def mark(store: str | PathLike[str], index: int, state: int) -> None:
     """Write the state of one site."""
-    with open(chunk_file(store, "state", index, 0), "wb") as file:
-        file.write(bytes([state]))
+    put(chunk_file(store, "state", index, 0), bytes([state]))
+
+
+def put(path: str, content: bytes) -> None:
+    """A file that appears whole, by rename alone: waiting for the disk would take longer than the skies.
+
+    What a crash of the machine leaves too short is found by `is_whole`.
+    """
+    beside = hidden_beside(Path(path))
+    try:
+        beside.write_bytes(content)
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def chunk_file(store: str | PathLike[str], name: str, index: int, axes: int) -> str:
