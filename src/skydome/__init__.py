@@ -83,6 +83,9 @@ HOME = {
     "years.weather.reading": "read_weather",
     "years.skies.series": "year",
     "export.shaders": "shader",
+    "export.scenes.saving": "save_scene",
+    "export.scenes.scene": "SkyScene",
+    "export.scenes.sun_lamp": "SunLamp",
     "fitting.fit": "fit Fit",
 }
 """Module -> its public names, in the order of reading; a module is imported when a name of it is first asked for.

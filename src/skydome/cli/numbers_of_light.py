@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from skydome.cli.moment import place_text
 from skydome.cli.scene import Scene
+from skydome.skies.validity import parameters_text
 
 if TYPE_CHECKING:
     from skydome.skies.sky import Sky
@@ -118,18 +119,3 @@ def kelvin(value: float) -> str:
     if math.isnan(value):
         return "none"
     return f"{value:.0f} K" if math.isfinite(value) else "bluer than any black body"
-
-
-def parameters_text(parameters: dict[str, Any]) -> str:
-    """A sky's parameters in one line, the sun's direction left out; sums as their members."""
-    if "members" in parameters:
-        weights = parameters["weights"]
-        parts = zip(parameters["members"], weights, strict=True)
-        return " + ".join(("" if weight == 1 else f"{weight:g} × ") + parameters_text(part) for part, weight in parts)
-    inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict) and "model" in value]
-    shown = [
-        f"{name} {value:g}" if isinstance(value, int | float) and not isinstance(value, bool) else f"{name} {value}"
-        for name, value in parameters.items()
-        if name not in ("model", "sun", "check") and value is not None and not isinstance(value, dict)
-    ]
-    return f"{parameters['model']}({', '.join(inner + shown)})"

@@ -26,6 +26,7 @@ def render(
     projection: Projection | None = None,
     space: RGBSpace = SRGB,
     ground_albedo: Any = None,
+    disc: bool = True,
     dtype: Any = np.float32,
     metadata: dict[str, Any] | None = None,
     out: np.ndarray | None = None,
@@ -35,11 +36,12 @@ def render(
     `projection` is `Equirectangular()` (native: north at the left edge, width 2 x height) or any other. Texels below
     the horizon show a Lambertian ground, albedo x global illuminance / pi; `ground_albedo` is a number, a `Spectrum`
     or, by default, the sky's own albedo (0.2 where it has none); 0 is black. The sun's disc is spread over the
-    texels that it covers, its energy kept. TypeError for a sky without colour; ValueError for a height that
-    the projection cannot take, or for a sky of more than one condition. PyTorch and JAX skies are painted by NumPy and
-    lose their gradients: `render_pixels` keeps them, and takes many skies at once. `out` (rows, columns, 3) is
-    overwritten and becomes the map's pixels: no new memory for the next frame. float32 maps of a million sky values or
-    more take compiled kernels where Numba is installed. Memory: the map and about 25 MB.
+    texels that it covers, its energy kept; without `disc` it is left out, and still lights the ground. TypeError for a
+    sky without colour; ValueError for a height that the projection cannot take, or for a sky of more than one
+    condition. PyTorch and JAX skies are painted by NumPy and lose their gradients: `render_pixels` keeps them, and
+    takes many skies at once. `out` (rows, columns, 3) is overwritten and becomes the map's pixels: no new memory for the next
+    frame. float32 maps of a million sky values or more take compiled kernels where Numba is installed. Memory: the map
+    and about 25 MB.
 
     >>> import skydome as sd
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)
@@ -58,8 +60,8 @@ def render(
         pixels[...] = 0.0  # texels that the layout does not use stay black
     ground = ground_rgb(shown, ground_albedo, space)
     paint_rows(pixels, rest, ground, projection, height, space, slice(0, rows))
-    for disc, factor in discs:
-        add_disc(pixels, disc, float(factor), projection, height, space)
+    for sun, factor in discs if disc else []:
+        add_disc(pixels, sun, float(factor), projection, height, space)
     provenance = {"model": shown.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
 

@@ -1,7 +1,8 @@
-"""Skies as source code for renderers.
+"""Skies as source code for renderers, and the scenes that light with them.
 
 - shaders           `shader`: a sky as one function from a direction to linear RGB, in GLSL, WGSL, HLSL, OSL or C
 - shader_languages  How each of those languages spells a function, a vector and a constant
 - formula_shader    The nine-number formula as shader code: one sky's coefficients as constants
 - network_shader    A neural sky as shader code: the network under one sky, its weights as constants
+- scenes/           The sun as a lamp beside a map of the sky without it, in each renderer's own language
 """

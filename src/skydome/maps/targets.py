@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from skydome.light.colour import REC2020, SRGB, RGBSpace
+from skydome.light.colour import RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Fisheye, Projection
 
 Matrix = tuple[tuple[float, float, float], ...]
@@ -70,6 +70,7 @@ TARGETS: tuple[Target, ...] = (
         "pbrt-v4, Clarberg 2008",
         (SRGB, REC2020),
     ),
+    Target("radiance", NORTH_LEFT, Z_UP, "z up; the .rad of `--scene` lays it out", "this library", (RADIANCE,)),
     Target("cube", CubeMap(), Y_UP, "y up; strip of faces +X -X +Y -Y +Z -Z", "OpenGL 4.6, table 8.19"),
     Target("fisheye", Fisheye(), Z_UP, SKY_DISC, "as sky plots are drawn"),
 )

@@ -133,3 +133,18 @@ def plain(value: Any) -> Any:
         return {item.name: plain(getattr(value, item.name)) for item in fields(value)}
     array = as_numpy(value)
     return array.tolist() if array.size <= 64 else f"array{array.shape}"
+
+
+def parameters_text(parameters: dict[str, Any]) -> str:
+    """A sky's parameters in one line, the sun's direction left out; sums as their members."""
+    if "members" in parameters:
+        weights = parameters["weights"]
+        parts = zip(parameters["members"], weights, strict=True)
+        return " + ".join(("" if weight == 1 else f"{weight:g} × ") + parameters_text(part) for part, weight in parts)
+    inner = [parameters_text(value) for value in parameters.values() if isinstance(value, dict) and "model" in value]
+    shown = [
+        f"{name} {value:g}" if isinstance(value, int | float) and not isinstance(value, bool) else f"{name} {value}"
+        for name, value in parameters.items()
+        if name not in ("model", "sun", "check") and value is not None and not isinstance(value, dict)
+    ]
+    return f"{parameters['model']}({', '.join(inner + shown)})"

@@ -9,11 +9,12 @@ from typer import Option
 
 from skydome.cli.doors import require_output
 from skydome.cli.moment import Moment, place_text
-from skydome.cli.numbers_of_light import light_facts, notes_row, parameters_text
+from skydome.cli.numbers_of_light import light_facts, notes_row
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
+from skydome.skies.validity import parameters_text
 
 PATH_STEP = timedelta(minutes=5)
 
