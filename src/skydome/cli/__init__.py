@@ -8,6 +8,7 @@
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
 - map_file          The file of a map, what the options ask of it, its writing, and what is said of it
 - doors             Which files may be written, and what is shown on stderr while one waits
+- endings           How a command ends: every error becomes one line on stderr and an exit code
 - printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
 - commands/         One command a file

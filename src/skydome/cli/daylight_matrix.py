@@ -5,9 +5,11 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # halves the time that NumPy takes to start; nothing here needs more
 
 import sys
-import warnings
 from typing import Any, Literal, NamedTuple
 
+from skydome.cli.endings import DEBUG, complain, end_on_signals, ending
+
+PROGRAM = "skydome-mtx"
 USAGE = (
     "usage: skydome-mtx [-v] [-h] [-A] [-d | -s | -n] [-u] [-D file [-M file]] [-5 degrees] [-r degrees] [-i minutes] "
     "[-m N] [-g R G B] [-c R G B] [-oa | -of | -od] [-O0 | -O1] [tape.wea | site.epw] > sky.mtx"
@@ -57,23 +59,16 @@ COLOURS, FILES = {"-c": "colour", "-g": "ground"}, {"-D": "suns", "-M": "modifie
 
 def main(arguments: list[str] | None = None) -> int:
     """Write the matrix to stdout; exit code 0, or 2 with one line on stderr for bad input."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("always", UserWarning)
-            warnings.showwarning = lambda message, *_: say(f"warning: {message}")
-            convert(parsed(sys.argv[1:] if arguments is None else arguments))
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 2
-    except (ValueError, OSError) as error:
-        say(str(error))
-        return 2
+    end_on_signals()
+    with ending(PROGRAM, debug=DEBUG in sys.argv):
+        words = sys.argv[1:] if arguments is None else arguments
+        convert(parsed([word for word in words if word != DEBUG]))
     return 0
 
 
 def say(words: str) -> None:
     """A line on stderr."""
-    print("skydome-mtx:", words, file=sys.stderr)
+    complain(PROGRAM, words)
 
 
 def parsed(arguments: list[str]) -> Asked:
@@ -177,7 +172,7 @@ def write_matrix(tape: Any, choices: Any, asked: Asked) -> None:
     if asked.mean:
         light, count = (part.mean(axis=1, dtype="float64", keepdims=True) for part in light), 1
     shape, place = (144 * asked.division**2 + 2, count), (tape.latitude, tape.longitude)
-    maker = "skydome-mtx" if asked.header else ""
+    maker = PROGRAM if asked.header else ""
     matrix_text.write(sys.stdout.buffer, light, shape, place, asked.numbers, maker)
 
 

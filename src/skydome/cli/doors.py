@@ -3,7 +3,7 @@
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Event, Thread
@@ -106,7 +106,8 @@ def lines(work: Work) -> "Iterator[Callable[[], None]]":
 
     def speak() -> None:
         while not over.wait(EVERY):
-            print(work.line, file=sys.stderr, flush=True)
+            with suppress(OSError, ValueError):  # nobody listens
+                print(work.line, file=sys.stderr, flush=True)
 
     speaker = Thread(target=speak, daemon=True)
     speaker.start()

@@ -18,14 +18,13 @@ from skydome.cli.commands.shader import shader
 from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
 from skydome.cli.commands.year import year
+from skydome.cli.endings import DEBUG, end_on_signals, ending
 from skydome.cli.learning.animate import animate
 from skydome.cli.learning.evaluate import evaluate
 from skydome.cli.learning.fit import fit
 from skydome.cli.learning.simulate import simulate
 from skydome.cli.learning.train import train
 from skydome.cli.options import target_help
-
-BAD_INPUT, INTERRUPTED = 2, 130
 
 
 class Commands(TyperGroup):
@@ -40,52 +39,13 @@ class Commands(TyperGroup):
                     vars(option)["help"] = target_help()
         return name, command, rest
 
-    def main(self, *arguments: Any, **choices: Any) -> Any:
+    def main(self, args: Any = None, *arguments: Any, **choices: Any) -> Any:
         """Run a command and exit: 0, 2 for bad input, 130 when interrupted."""
-        try:
-            code = super().main(*arguments, **(choices | {"standalone_mode": False}))
-        except KeyboardInterrupt:
-            code = INTERRUPTED
-        except MemoryError as error:
-            code = complain(memory_sentence(error))
-        except OSError as error:
-            code = complain(file_sentence(error))
-        except (ValueError, TypeError, ImportError) as error:
-            code = complain(str(error) or type(error).__name__)
-        except Exception as error:
-            if not hasattr(error, "format_message"):  # typer's own say what is wrong with the line
-                raise
-            code = complain(error.format_message())
+        words = list(sys.argv[1:] if args is None else args)
+        with ending("skydome", debug=DEBUG in words):
+            words = [word for word in words if word != DEBUG]
+            code = super().main(words, *arguments, **(choices | {"standalone_mode": False}))
         sys.exit(code if isinstance(code, int) else 0)
-
-
-def memory_sentence(error: MemoryError) -> str:
-    """What to say where memory does not suffice.
-
-    >>> memory_sentence(MemoryError("Unable to allocate 224. GiB for an array with shape (100000, 200000, 3)"))
-    'this needs more memory than there is, 224. GiB more at once; ask for fewer pixels, directions, hours or cells'
-    """
-    asked = str(error).removeprefix("Unable to allocate ").split(" for ")[0]
-    size = f", {asked} more at once" if asked else ""
-    return f"this needs more memory than there is{size}; ask for fewer pixels, directions, hours or cells"
-
-
-def file_sentence(error: OSError) -> str:
-    """What to say of a file that could not be read or written.
-
-    >>> file_sentence(FileNotFoundError(2, "No such file or directory", "sky.exr"))
-    'sky.exr: no such file or directory'
-    """
-    if error.strerror is None:
-        return str(error) or type(error).__name__
-    where = "" if error.filename is None else f"{error.filename}: "
-    return where + error.strerror[:1].lower() + error.strerror[1:]
-
-
-def complain(message: str) -> int:
-    """Print one line on stderr; the exit code for bad input."""
-    print("skydome:", " ".join(message.split()), file=sys.stderr)
-    return BAD_INPUT
 
 
 app = typer.Typer(
@@ -125,6 +85,9 @@ def skydome(
     version: Annotated[
         bool, typer.Option("--version", callback=show_version, is_eager=True, help="Print the version and leave.")
     ] = False,
+    debug: Annotated[  # taken off the line before it is read, wherever it stands
+        bool, typer.Option(DEBUG, help="Show where in the program an error came from, before its line.")
+    ] = False,
 ) -> None:
     """The light of the sky, from a place, a time and the air: maps, numbers and plots by every published model.
 
@@ -136,4 +99,5 @@ def skydome(
 
 def run() -> None:
     """The console command: exit code 0, or 2 with one line on stderr for bad input."""
+    end_on_signals()
     app(prog_name="skydome")

@@ -2,6 +2,7 @@
 
 import json
 import math
+import sys
 from collections.abc import Mapping
 from typing import Any
 
@@ -73,8 +74,9 @@ def text_of(value: object) -> str:
 
 
 def print_json(facts: object) -> None:
-    """Print JSON; NaN and infinity, which JSON lacks, as null."""
-    print(json.dumps(finite(facts), indent=2, ensure_ascii=False, allow_nan=False))
+    """Print JSON; NaN and infinity, which JSON lacks, as null; letters as they are where the output takes them all."""
+    plain = "utf" not in str(sys.stdout.encoding).lower()
+    print(json.dumps(finite(facts), indent=2, ensure_ascii=plain, allow_nan=False))
 
 
 def finite(value: object) -> Any:

@@ -45,7 +45,10 @@ def write(
     kind = np.float16 if half else np.float32
     stored = {name: np.ascontiguousarray(pixels, dtype=kind) for name, pixels in channels.items()}
     with appearing(path) as beside:
-        OpenEXR.File(attributes, stored).write(str(beside))
+        try:
+            OpenEXR.File(attributes, stored).write(str(beside))
+        except RuntimeError as error:  # what a full disk is to OpenEXR
+            raise OSError(f"cannot write {path}: {error}") from error
 
 
 def require_storable(channels: Mapping[str, np.ndarray], half: bool) -> None:

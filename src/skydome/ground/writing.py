@@ -112,8 +112,11 @@ def streamed(sink: Path) -> Iterator[Path]:
         beside = Path(folder, "whole")
         beside.touch()
         yield beside
-        with beside.open("rb") as whole, sink.open("wb") as out:
-            copyfileobj(whole, out)
+        try:
+            with beside.open("rb") as whole, sink.open("wb") as out:
+                copyfileobj(whole, out)
+        except BrokenPipeError as error:
+            raise OSError(f"nobody reads {sink} any more") from error
 
 
 def keep_permissions(final: Path, beside: Path) -> None:

@@ -1,0 +1,132 @@
+"""How a command ends: every error becomes one line on stderr and an exit code; our readers may leave early."""
+
+import os
+import signal
+import sys
+import traceback
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
+
+BAD_INPUT, INTERRUPTED = 2, 130
+DEBUG = "--debug"
+REPORT = f"please report this with the command and what {DEBUG} shows"
+FORESEEN = (ValueError, TypeError, ImportError)
+"""What says itself what is wrong; any other error is a fault of ours, or of a library before a damaged file."""
+
+
+@contextmanager
+def ending(program: str, debug: bool = False) -> Iterator[None]:
+    """Whatever goes wrong within leaves with exit code 2 and one line, 130 when interrupted, 0 when nobody reads on.
+
+    With `debug` the traceback comes before the line.
+    """
+    try:
+        open_streams()
+        with warnings_in_lines(program):
+            yield
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        leave(INTERRUPTED)
+    except BrokenPipeError:
+        leave(0)
+    except SystemExit as left:
+        if not isinstance(left.__context__, BrokenPipeError):  # in which typer and rich leave with 1
+            raise
+        leave(0)
+    except Exception as error:
+        if debug:
+            traceback.print_exc()
+        complain(program, sentence_of(error))
+        leave(BAD_INPUT)
+
+
+def leave(code: int) -> None:
+    """Exit; what was not read of our output is thrown away, or Python would complain of it at the very end."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except (OSError, ValueError):
+            with suppress(OSError, ValueError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    sys.exit(code)
+
+
+def open_streams() -> None:
+    """Give closed standard streams a place, lest the next file takes theirs; letters that a terminal lacks become ?."""
+    if sys.stdout is None or sys.stderr is None or sys.stdin is None:
+        while (handle := os.open(os.devnull, os.O_RDWR)) <= 2:
+            pass
+        os.close(handle)
+        sys.stdout, sys.stderr = (stream or open(os.devnull, "w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
+    with suppress(AttributeError, ValueError):
+        sys.stdout.reconfigure(errors="replace")  # type: ignore[union-attr]
+
+
+@contextmanager
+def warnings_in_lines(program: str) -> Iterator[None]:
+    """Warnings as one line each on stderr."""
+    with warnings.catch_warnings():
+
+        def tell(message: Any, *_: Any, **__: Any) -> None:
+            complain(program, f"warning: {message}")
+
+        warnings.showwarning = tell
+        yield
+
+
+def complain(program: str, words: str) -> None:
+    """One line on stderr, if anybody listens."""
+    with suppress(OSError, ValueError):
+        print(f"{program}:", " ".join(words.split()), file=sys.stderr, flush=True)
+
+
+def end_on_signals() -> None:
+    """Let a request to end (SIGTERM, SIGHUP) clear up like an interrupt: no half-written file stays."""
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, lambda got, _: sys.exit(128 + got))
+
+
+def sentence_of(error: BaseException) -> str:
+    """What to say of an error.
+
+    >>> sentence_of(ValueError("height must be a multiple of 2, got 63"))
+    'height must be a multiple of 2, got 63'
+    >>> sentence_of(KeyError("radiance"))
+    "unexpected KeyError: 'radiance'; please report this with the command and what --debug shows"
+    """
+    if hasattr(error, "format_message"):  # the command line's own
+        return str(error.format_message())
+    if isinstance(error, MemoryError):
+        return memory_sentence(error)
+    if isinstance(error, OSError):
+        return file_sentence(error)
+    if isinstance(error, FORESEEN) and str(error):
+        return str(error)
+    return f"unexpected {type(error).__name__}: {error}; {REPORT}"
+
+
+def memory_sentence(error: MemoryError) -> str:
+    """What to say where memory does not suffice.
+
+    >>> memory_sentence(MemoryError("Unable to allocate 224. GiB for an array with shape (100000, 200000, 3)"))
+    'this needs more memory than there is, 224. GiB more at once; ask for fewer pixels, directions, hours or cells'
+    """
+    asked = str(error).removeprefix("Unable to allocate ").split(" for ")[0]
+    size = f", {asked} more at once" if asked else ""
+    return f"this needs more memory than there is{size}; ask for fewer pixels, directions, hours or cells"
+
+
+def file_sentence(error: OSError) -> str:
+    """What to say of a file that could not be read or written.
+
+    >>> file_sentence(FileNotFoundError(2, "No such file or directory", "sky.exr"))
+    'sky.exr: no such file or directory'
+    """
+    if error.strerror is None:
+        return str(error) or type(error).__name__
+    where = "" if error.filename is None else f"{error.filename}: "
+    return where + error.strerror[:1].lower() + error.strerror[1:]
