@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
 
+from skydome.cli.options import Exposure
+
 if TYPE_CHECKING:
     from skydome.maps.environment_map import EnvironmentMap
     from skydome.maps.targets import Target
@@ -23,7 +25,10 @@ class FileOptions:
         float | None,
         Option(help="cd m-2 of RGB (1, 1, 1) in the file. [default: 1; 100000 in half floats; 179 in .hdr]"),
     ] = None
-    exposure: Annotated[float | None, Option(help="Of a .png, per cd m-2. [default: by its content]")] = None
+    scale: Annotated[
+        float | None, Option(help="RGB per cd m-2 in the file: 1 / --white-luminance, the other way to say it.")
+    ] = None
+    exposure: Exposure = None
     gamut: Annotated[
         str,
         Option(
@@ -34,7 +39,19 @@ class FileOptions:
     @property
     def choices(self) -> dict[str, Any]:
         """As `EnvironmentMap.save` takes them."""
-        return dict(vars(self))
+        asked = dict(vars(self), white_luminance=self.white)
+        return {name: value for name, value in asked.items() if name != "scale"}
+
+    @property
+    def white(self) -> float | None:
+        """cd m-2 of RGB (1, 1, 1), by --white-luminance or --scale; ValueError for both, or no scale."""
+        if self.scale is None:
+            return self.white_luminance
+        if self.white_luminance is not None:
+            raise ValueError("--scale is 1 / --white-luminance: give one of them")
+        if not 0 < self.scale < float("inf"):
+            raise ValueError(f"--scale must be finite and more than 0, got {self.scale:g}")
+        return 1 / self.scale
 
     def layout(self, output: Path) -> "Target":
         """The target; ValueError or OSError, before any work, for what such a file cannot have."""
@@ -43,7 +60,7 @@ class FileOptions:
         from skydome.maps.targets import target
 
         require_output(output, "a map's file", FORMATS)
-        require_choices(output, self.half, self.white_luminance, self.exposure, self.gamut)
+        require_choices(output, self.half, self.white, self.exposure, self.gamut)
         return target(self.target)
 
 
@@ -61,7 +78,7 @@ def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options:
         "target": layout.name,
         "orientation": layout.note,
         "space": space.name,
-        "white_luminance_cd_m2": file_white(picture, path, layout, options.half, options.white_luminance),
+        "white_luminance_cd_m2": file_white(picture, path, layout, options.half, options.white),
         "exposure": options.exposure,
         "notes": [] if suffix == ".png" else colour_notes(picture, space, options.gamut),
     }

@@ -1,6 +1,6 @@
 """The place, time and sun that the options ask for."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta, timezone
 from typing import TYPE_CHECKING, Any
 
@@ -49,6 +49,15 @@ class Moment:
         from skydome.ground.directions import azimuth
 
         return float(azimuth(self.direction)) / deg
+
+    def seen_from(self, north: float) -> "Moment":
+        """The same for a scene whose own north points `north` degrees clockwise from true north."""
+        from skydome import deg
+        from skydome.ground.directions import direction
+
+        if north == 0.0:
+            return self
+        return replace(self, direction=direction((self.azimuth - north) % 360 * deg, self.elevation * deg))
 
     @property
     def metadata(self) -> dict[str, Any]:

@@ -29,12 +29,16 @@ class Scene:
     notes: tuple[str, ...]
 
 
-def scene_of(options: SkyOptions) -> Scene:
-    """The light by the options; ValueError in one line for what cannot be."""
+def scene_of(options: SkyOptions, north: float = 0.0) -> Scene:
+    """The light by the options, north being `north` degrees from true north; ValueError in one line for what cannot be.
+
+    The scene's `moment` keeps the true angles.
+    """
     from skydome.skies.catalogue import model_named
 
     model = model_named(options.model)
-    moment = moment_for(model, options)
+    true = moment_for(model, options)
+    moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)
     coloured, more = in_colour(sky, options)
     disc, last = disc_for(model, coloured, moment, options)
@@ -50,7 +54,7 @@ def scene_of(options: SkyOptions) -> Scene:
         blended(coloured, overcast, options),
         blended(whole, overcast, options),
         disc,
-        moment,
+        true,
         tuple(dict.fromkeys(notes)),
     )
 

@@ -39,9 +39,9 @@ def render(
     texels that it covers, its energy kept; without `disc` it is left out, and still lights the ground. TypeError for a
     sky without colour; ValueError for a height that the projection cannot take, or for a sky of more than one
     condition. PyTorch and JAX skies are painted by NumPy and lose their gradients: `render_pixels` keeps them, and
-    takes many skies at once. `out` (rows, columns, 3) is overwritten and becomes the map's pixels: no new memory for the next
-    frame. float32 maps of a million sky values or more take compiled kernels where Numba is installed. Memory: the map
-    and about 25 MB.
+    takes many skies at once. `out` (rows, columns, 3) is overwritten and becomes the map's pixels: no new memory for
+    the next frame. float32 maps of a million sky values or more take compiled kernels where Numba is installed. Memory:
+    the map and about 25 MB.
 
     >>> import skydome as sd
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.0)

@@ -7,7 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.commands.convert import From
 from skydome.cli.doors import progress, require_picture
-from skydome.cli.options import AsJson, numbers
+from skydome.cli.options import AsJson, Exposure, numbers
 from skydome.cli.printing import show
 from skydome.ground.extras import required
 
@@ -40,9 +40,7 @@ def glare(
     pupil: Annotated[float | None, Option(help="Diameter of the pupil, mm. [default: by the light]")] = None,
     size: Annotated[int, Option(help="Pixels along a side of the view.")] = 1024,
     seed: Annotated[int, Option(help="Which needles the eye has.")] = 0,
-    exposure: Annotated[
-        float | None, Option(help="Factor from cd m-2 to middle grey 0.18. [default: by the view]")
-    ] = None,
+    exposure: Exposure = None,
     white: Annotated[float | None, Option(help="cd m-2 of RGB (1, 1, 1), where the file does not tell.")] = None,
     target: From = None,
     lens_flare: Annotated[bool, Option("--lens-flare", help="Through a camera's lens instead of an eye.")] = False,

@@ -7,7 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.doors import progress, require_picture
 from skydome.cli.moment import place_text
-from skydome.cli.options import AsJson, LandOptions, numbers, taking
+from skydome.cli.options import AsJson, Exposure, LandOptions, numbers, taking
 from skydome.cli.printing import labelled_rows, show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
@@ -39,7 +39,7 @@ def terrain(
     curvature: Annotated[
         bool, Option("--curvature", help="Lower the land, and the ground beyond it, by the Earth's curve.")
     ] = False,
-    exposure: Annotated[float | None, Option(help="Factor on cd m-2 for a .png. [default: by the picture]")] = None,
+    exposure: Exposure = None,
     as_json: AsJson = False,
 ) -> None:
     """Render an elevation model with sun, shadows, skylight and aerial perspective."""
