@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 
 from skydome.cli.moment import place_text
 from skydome.cli.scene import Scene
-from skydome.skies.validity import parameters_text
 
 if TYPE_CHECKING:
     from skydome.skies.sky import Sky
@@ -75,6 +74,8 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
 
 def sky_rows(facts: dict[str, Any]) -> dict[str, str]:
     """Sun and model of a sky's facts, for people."""
+    from skydome.skies.validity import parameters_text
+
     rows = {}
     if "sun" in facts:
         rows["sun"] = "azimuth {azimuth_deg:.2f}°, elevation {elevation_deg:.2f}°".format(**facts["sun"])

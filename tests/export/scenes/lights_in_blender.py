@@ -10,12 +10,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-import bpy
 import numpy as np
 
 
 def empty():
     """An empty scene for Cycles on one thread."""
+    import bpy
+
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.preferences.addon_enable(module="cycles")
     here = bpy.context.scene
@@ -29,6 +30,8 @@ def empty():
 
 def seen_from_above(here, half, pixels, samples):
     """Linear RGB (pixels, pixels, 3) of a square of the floor, north in the first row."""
+    import bpy
+
     camera = bpy.data.cameras.new("camera")
     camera.type, camera.ortho_scale = "ORTHO", 2 * half
     here.camera = bpy.data.objects.new("camera", camera)
@@ -48,6 +51,8 @@ def seen_from_above(here, half, pixels, samples):
 
 def grey(reflectance):
     """A diffuse material."""
+    import bpy
+
     material = bpy.data.materials.new("grey")
     if bpy.app.version < (5, 0, 0):
         material.use_nodes = True
@@ -61,6 +66,8 @@ def grey(reflectance):
 
 def lit_by(path):
     """Bring the file's lights in."""
+    import bpy
+
     if path.suffix == ".py":
         exec(compile(path.read_text(), str(path), "exec"), {"__file__": str(path), "__name__": "__main__"})
     elif path.suffix == ".usda":
@@ -72,6 +79,8 @@ def lit_by(path):
 
 def main(path, out):
     """Measure and write."""
+    import bpy
+
     here = empty()
     lit_by(path)
     bpy.context.view_layer.update()
@@ -93,4 +102,5 @@ def main(path, out):
     out.write_text(json.dumps(told))
 
 
-main(Path(sys.argv[1]), Path(sys.argv[2]))
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]))

@@ -14,7 +14,6 @@ from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
-from skydome.skies.validity import parameters_text
 
 PATH_STEP = timedelta(minutes=5)
 
@@ -27,6 +26,7 @@ def plot(
 ) -> None:
     """Plot the sky's luminance looking up: north up, east at the left; with the sun's path of the day."""
     from skydome.figures.skies import FORMATS, save_figure, sky_figure
+    from skydome.skies.validity import parameters_text
 
     require_output(output, "a plot's file", FORMATS)
     required("matplotlib", "plot", "a plot")
