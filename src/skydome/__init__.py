@@ -54,6 +54,8 @@ HOME = {
     "dome.integrals": "illuminance irradiance",
     "dome.patch_means": "patch_means",
     "dome.harmonics": "SphericalHarmonics",
+    "dome.bases.sky_basis": "SkyBasis ColourSkyBasis",
+    "dome.bases.preetham_harmonics": "preetham_harmonics",
     "dome.sampling": "SkySampler sample sample_density",
     "maps.environment_map": "EnvironmentMap",
     "maps.loading": "load",

@@ -9,6 +9,9 @@ from skydome.air.size_distributions import GammaSizes as GammaSizes
 from skydome.air.size_distributions import Junge as Junge
 from skydome.air.size_distributions import Lognormal as Lognormal
 from skydome.air.transmittance import ClearAir as ClearAir
+from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
+from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
+from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
