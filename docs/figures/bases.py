@@ -31,7 +31,7 @@ def shown(sky):
 
 def picture():
     """Rows: suns at 30 and 10 degrees. Columns: the sky, then each basis of about as many numbers."""
-    figure = Figure(figsize=(12.3, 4.7), layout="constrained")
+    figure = Figure(figsize=(11.6, 4.5), layout="constrained")
     FigureCanvasAgg(figure)
     for row, elevation in zip(figure.subplots(2, 6), (30.0, 10.0), strict=True):
         sky = sky_at(elevation)
@@ -39,7 +39,7 @@ def picture():
         skies = {"Hosek-Wilkie": sky}
         skies |= {kind: sd.SkyBasis.fit(sky, kind, order) for kind, order in DRAWN.items()}
         for axis, (name, each) in zip(row, skies.items(), strict=True):
-            drawn = axis.imshow(np.clip(shown(each), norm.vmin, norm.vmax), norm=norm, cmap="viridis")
+            drawn = axis.imshow(np.clip(shown(each), norm.vmin, norm.vmax), norm=norm, cmap="viridis", interpolation="nearest")
             basis = getattr(each, "basis", None)
             told = "" if basis is None else f"\n{basis.count} numbers, rms {100 * each.errors(sky).rms:.0f} %"
             axis.set_title(f"{name}{told}" if told else f"{name}\nsun at {elevation:g}°", fontsize=9)
