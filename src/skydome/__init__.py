@@ -84,6 +84,9 @@ HOME = {
     "years.weather.weather": "Weather",
     "years.weather.reading": "read_weather",
     "years.skies.series": "year",
+    "years.planes.plane": "Plane",
+    "years.planes.light": "on_planes",
+    "years.planes.sums": "monthly_sums cumulative_sky",
     "export.shaders": "shader",
     "fitting.fit": "fit Fit",
 }
