@@ -117,9 +117,15 @@ def error_lines(output):
 
 
 CHECKERS = {
-    "mypy": [sys.executable, "-m", "mypy", "--strict", "--cache-dir=cache", "--follow-imports=silent"],
+    "mypy": [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent"],
     "pyright": ["pyright", "--pythonpath", sys.executable],
 }
+
+
+@pytest.fixture(autouse=True)
+def one_cache_of_mypy(request, monkeypatch):
+    """What mypy learnt of the libraries in an earlier test or run need not be learnt again."""
+    monkeypatch.setenv("MYPY_CACHE_DIR", str(request.config.cache.mkdir("mypy")))
 
 
 @pytest.mark.slow

@@ -9,6 +9,9 @@ from skydome.air.size_distributions import GammaSizes as GammaSizes
 from skydome.air.size_distributions import Junge as Junge
 from skydome.air.size_distributions import Lognormal as Lognormal
 from skydome.air.transmittance import ClearAir as ClearAir
+from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
+from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
+from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
@@ -123,6 +126,10 @@ from skydome.surroundings.mesh import MeshScene as MeshScene
 from skydome.surroundings.obstruction import PlaneView as PlaneView
 from skydome.surroundings.obstruction import Received as Received
 from skydome.surroundings.obstruction import obstructed_illuminance as obstructed_illuminance
+from skydome.years.planes.light import on_planes as on_planes
+from skydome.years.planes.plane import Plane as Plane
+from skydome.years.planes.sums import cumulative_sky as cumulative_sky
+from skydome.years.planes.sums import monthly_sums as monthly_sums
 from skydome.years.skies.series import year as year
 from skydome.years.weather.reading import read_weather as read_weather
 from skydome.years.weather.weather import Weather as Weather

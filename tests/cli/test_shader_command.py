@@ -47,10 +47,18 @@ def test_a_network_of_ones_own_and_its_bands(tmp_path):
     assert "own.safetensors is not a network file" in done.stderr
 
 
+def test_any_sky_in_a_basis():
+    source = run("--model", "cie-intermediate", "--basis", "gaussians,16", "--lang", "c").stdout
+    assert source.count("expf(") == 3 * 19
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         ["--lang", "metal"],
+        ["--basis", "wavelets,3"],
+        ["--basis", "steerable"],
+        ["--basis", "steerable,99"],
         ["--model", "cie-intermediate"],
         ["--turbidity", "99"],
         ["--scale", "0"],

@@ -19,6 +19,17 @@ SKIES = {
     "preetham": sd.Preetham(SUN, 2.6),
     "cie-12": sd.Daylight(sd.CIE(SUN, 12, illuminance=12_000.0), (0.29, 0.31)),
     "perez": sd.Daylight(sd.PerezAllWeather(SUN, 700.0, 120.0, compat="gendaylit")),
+    **{
+        f"basis-{kind}": sd.SkyBasis.fit(sd.HosekWilkie(SUN, 3.3), kind, order)
+        for kind, order in (
+            ("spherical", 4),
+            ("hemispherical", 4),
+            ("legendre", 3),
+            ("steerable", 4),
+            ("gaussians", 16),
+        )
+    },
+    "basis-grey": 2.0 * sd.SkyBasis.fit(sd.CIE(SUN, 12, illuminance=12_000.0), "steerable", 3),
 }
 VIEWS = np.concatenate([hemisphere(12, 16)[0], SUN[None], sd.ZENITH[None], -hemisphere(2, 4)[0]]).astype(np.float32)
 
@@ -26,7 +37,8 @@ every_sky = pytest.mark.parametrize("sky", SKIES.values(), ids=SKIES.keys())
 
 
 def agree(got, sky):
-    expected = sky.rgb(VIEWS.astype(np.float64) / np.linalg.norm(VIEWS.astype(np.float64), axis=1)[:, None])
+    views = VIEWS.astype(np.float64) / np.linalg.norm(VIEWS.astype(np.float64), axis=1)[:, None]
+    expected = sky.rgb(views) if isinstance(sky, sd.ColourSky) else np.repeat(sky.luminance(views)[:, None], 3, axis=1)
     np.testing.assert_allclose(got, expected, rtol=1e-4, atol=1e-4 * expected.max())
 
 

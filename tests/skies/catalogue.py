@@ -48,6 +48,10 @@ SKIES = {
         "hosek-wilkie-spectral", sun, turbidity=one * 3.2, albedo=one * 0.3
     ),
     "captured": lambda sun, one: sd.CapturedSky(OVERCAST) * one,
+    "basis": lambda sun, one: sd.SkyBasis.fit(sd.MoonSpencer(zenith_luminance=9000.0), "steerable", 3) * one,
+    "basis-in-colour": lambda sun, one: (
+        sd.SkyBasis.fit(sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0)), "hemispherical", 4) * one
+    ),
     "sky-and-sun": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3) + sd.SunDisc(sun, one * 3.2),
 }
 

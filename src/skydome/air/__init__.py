@@ -4,6 +4,7 @@
 - constituents        What air is made of: molecules that scatter, aerosol that scatters and absorbs, ozone that absorbs
 - profiles            How a constituent of the air is spread over height
 - cross_sections      What a molecule of air or of ozone takes out of a beam; the sun above the air
+- bending             How the air bends light: where it comes from, how low it has been, how it is thinned
 - rays                Straight rays through spherical shells: where they end, how much of each constituent lies on them
 - phase_functions     Phase functions: how much of the light that air and haze scatter goes which way, per steradian
 - phase_laws          Phase functions as objects: their value, and their Legendre moments for solvers that want them

@@ -11,5 +11,6 @@
 - patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
 - patch_means    The mean light of each patch of the sky, to a stated error: finer where the sky is steep
 - harmonics      Skies as spherical harmonics, smooth light in few numbers
+- bases/         Skies as sums of few basis functions: harmonics, Legendre series, steerable lobes, Gaussians
 - sampling       Random directions toward the light of a sky, with their probability densities
 """

@@ -35,8 +35,7 @@ def harmonics(directions: Array, order: int) -> Array:
     cosine, sine, sectoral = xp.ones_like(x), xp.zeros_like(x), xp.ones_like(x)  # r^m cos, r^m sin, P(m, m) / r^m
     for m in range(order + 1):
         for degree, legendre in legendre_column(m, order, z, sectoral):
-            size = np.sqrt((2 * degree + 1) / (4 * np.pi) * factorial(degree - m) / factorial(degree + m))
-            size *= np.sqrt(2.0) if m else 1.0
+            size = size_of(degree, m)
             found[degree, m] = size * legendre * cosine
             if m:
                 found[degree, -m] = size * legendre * sine
@@ -44,6 +43,12 @@ def harmonics(directions: Array, order: int) -> Array:
         sectoral = sectoral * (2 * m + 1)
     every = [found[degree, m] for degree in range(order + 1) for m in range(-degree, degree + 1)]
     return xp.stack(every, axis=-1)
+
+
+def size_of(degree: int, m: int) -> float:
+    """The factor that makes the square of a harmonic integrate to 1 over the sphere."""
+    own = (2 * degree + 1) / (4 * np.pi) * factorial(degree - m) / factorial(degree + m)
+    return float(np.sqrt(own) * (np.sqrt(2.0) if m else 1.0))
 
 
 def legendre_column(m: int, order: int, z: Array, sectoral: Array) -> list[tuple[int, Array]]:
@@ -152,11 +157,8 @@ class SphericalHarmonics:
 
         ValueError for a matrix that is no rotation.
         """
-        turn = np.asarray(matrix, dtype=np.float64)
-        if turn.shape != (3, 3) or not np.allclose(turn @ turn.T, np.eye(3), atol=1e-9) or np.linalg.det(turn) < 0:
-            raise ValueError("matrix must be a rotation of shape (3, 3)")
         c = self.coefficients
-        return SphericalHarmonics(c @ constant(rotation_of_harmonics(turn, self.order).T, c))
+        return SphericalHarmonics(c @ constant(rotation_of_harmonics(checked_rotation(matrix), self.order).T, c))
 
 
 def weighted(sky: Sky, order: int) -> tuple[Array, np.ndarray]:
@@ -165,6 +167,14 @@ def weighted(sky: Sky, order: int) -> tuple[Array, np.ndarray]:
     like = own_array(sky)
     nodes = directions if like is None else constant(directions, like)
     return nodes, harmonics(directions, order) * solid_angles[:, None]
+
+
+def checked_rotation(matrix: Any) -> np.ndarray:
+    """The matrix as float64; ValueError unless it is a rotation of shape (3, 3)."""
+    turn = np.asarray(matrix, dtype=np.float64)
+    if turn.shape != (3, 3) or not np.allclose(turn @ turn.T, np.eye(3), atol=1e-9) or np.linalg.det(turn) < 0:
+        raise ValueError("matrix must be a rotation of shape (3, 3)")
+    return turn
 
 
 def rotation_of_harmonics(matrix: np.ndarray, order: int) -> np.ndarray:

@@ -13,7 +13,8 @@ from skydome.ground.directions import ZENITH, checked_directions, checked_turn, 
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.sky import Sky
 from skydome.surroundings.bands import Bands, dihedral, level_axis
-from skydome.surroundings.intervals import SKY, Surroundings
+from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
+from skydome.surroundings.intervals import SKY
 from skydome.surroundings.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
 from skydome.surroundings.obstruction import PlaneView, Received
 from skydome.surroundings.radiosity import crossed_strings, interreflected, interreflected_channels
@@ -22,7 +23,7 @@ POINTS_PER_STRIP = 3
 
 
 @dataclass(frozen=True, eq=False)
-class StreetCanyon:
+class StreetCanyon(Scene):
     """A street `width` m wide between walls of `height` m that runs toward `azimuth`, radians; metres, or any one unit.
 
     Across the street x runs from -width / 2, the wall at the left of one who looks along the azimuth, to width / 2.
@@ -119,6 +120,12 @@ class StreetCanyon:
             )
         return CanyonPoint(self, float(x), float(z))
 
+    def lit_faces(self) -> Faces:
+        """The strips, for `FaceLight`, with three points each. ValueError for reflectances in colour."""
+        t, _ = gauss_legendre(POINTS_PER_STRIP)
+        places = [[self.at(*(start + share * (end - start))) for share in t] for start, end in self.ends]
+        return Faces(places, self.normals, plain(self.reflectances()), self.factors)
+
     def strip_light(self, sky: Sky, bands: int = 48, light: LightKind = LUX) -> Array:
         """Illuminance of every strip with interreflection, lx, (..., 3 x strips): sky's leading axes first.
 
@@ -163,12 +170,20 @@ class StreetCanyon:
 
 
 @dataclass(frozen=True, eq=False)
-class CanyonPoint(Surroundings):
+class CanyonPoint(Enclosure):
     """A point in a street canyon: `x` across, `z` above the floor."""
 
     canyon: StreetCanyon
     x: float
     z: float
+
+    def within(self) -> StreetCanyon:
+        """The street."""
+        return self.canyon
+
+    def shown(self, labels: np.ndarray) -> np.ndarray:
+        """All of them: nobody stands behind a wall."""
+        return np.full(labels.shape, True)
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
         """The number of the strip that is met, or SKY."""

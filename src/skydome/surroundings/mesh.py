@@ -11,13 +11,14 @@ from numpy.typing import ArrayLike
 from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
-from skydome.ground.extras import required
 from skydome.light.spectrum import Spectrum
 from skydome.skies.sky import Sky
-from skydome.surroundings.intervals import GROUND, SKY, Surroundings
+from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
+from skydome.surroundings.intervals import GROUND, SKY
 from skydome.surroundings.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
 from skydome.surroundings.obstruction import TOLERANCE, PlaneView, Received
 from skydome.surroundings.radiosity import interreflected, interreflected_channels
+from skydome.surroundings.rays import ray_caster, trimesh_library
 
 LIFT = 2e-6
 """How far rays start above a surface, in diagonals of the scene: some 30 roundings of the rays' 32 bit."""
@@ -28,11 +29,9 @@ INNER = np.array([[4, 1, 1], [1, 4, 1], [1, 1, 4]]) / 6
 FACE_BANDS, FACE_TOLERANCE = 24, 2e-3
 """How finely the triangles themselves look around for their own illuminance."""
 
-BLOCK = 400_000
-
 
 @dataclass(frozen=True, eq=False)
-class MeshScene:
+class MeshScene(Scene):
     """Triangles (`vertices` (V, 3) m, `faces` (N, 3)) under the sky; x east, y north, z up.
 
     Fronts reflect, backs are black. `reflectance` (N,) or a number in [0, 1): each triangle has one illuminance, so
@@ -150,6 +149,12 @@ class MeshScene:
                 factors[row, met] += front * view.factors[view.labels >= 0] / (np.pi * len(INNER))
         return factors
 
+    def lit_faces(self) -> Faces:
+        """The triangles, for `FaceLight`, with three points each. ValueError for reflectances in colour."""
+        corners = INNER @ self.triangles
+        places = [[self.at(point, n) for point in points] for points, n in zip(corners, self.normals, strict=True)]
+        return Faces(places, self.normals, plain(self.reflectances()), None, float(plain(self.ground_albedo)))
+
     def view(self, point: ArrayLike, normal: ArrayLike, bands: int = 64, tolerance: float = TOLERANCE) -> PlaneView:
         """The view from a point (3,) of a surface that faces `normal` (3,)."""
         return PlaneView.of(self.at(point, normal), normal, bands, tolerance)
@@ -212,11 +217,21 @@ def of_faces(reflectance: ArrayLike | Spectrum, count: int) -> Any:
 
 
 @dataclass(frozen=True, eq=False)
-class MeshPoint(Surroundings):
+class MeshPoint(Enclosure):
     """A point, m, in a scene of triangles."""
 
     scene: MeshScene
     origin: np.ndarray
+
+    def within(self) -> MeshScene:
+        """The scene."""
+        return self.scene
+
+    def shown(self, labels: np.ndarray) -> np.ndarray:
+        """Those whose corners run anticlockwise as seen from here."""
+        toward = self.origin - self.scene.triangles[labels, 0]
+        front: np.ndarray = (toward * self.scene.normals[labels]).sum(axis=1) > 0
+        return front
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
         """The triangle met toward each direction, else SKY or, below the horizon, GROUND."""
@@ -224,24 +239,3 @@ class MeshPoint(Surroundings):
         met = self.scene.casts(np.broadcast_to(self.origin, flat.shape), flat)
         beyond = np.where(flat[:, 2] >= 0, SKY, GROUND)
         return np.where(met >= 0, met, beyond).reshape(directions.shape[:-1])
-
-
-def trimesh_library() -> Any:
-    """The trimesh module; ImportError where it or Embree is missing."""
-    required("embreex", "scene", "a scene of triangles")
-    return required("trimesh", "scene", "a scene of triangles")
-
-
-def ray_caster(vertices: np.ndarray, faces: np.ndarray) -> Any:
-    """A function (origins (K, 3), directions (K, 3)) -> number of the triangle met first or -1, (K,); Embree's rays."""
-    trimesh = trimesh_library()
-    from trimesh.ray.ray_pyembree import RayMeshIntersector
-
-    tracer = RayMeshIntersector(trimesh.Trimesh(vertices, faces, process=False), scale_to_box=False)
-
-    def first_met(origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        blocks = range(0, len(origins), BLOCK)
-        met = [tracer.intersects_first(origins[b : b + BLOCK], directions[b : b + BLOCK]) for b in blocks]
-        return np.concatenate(met) if met else np.zeros(0, dtype=np.int64)
-
-    return first_met

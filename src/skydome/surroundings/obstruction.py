@@ -156,14 +156,18 @@ def antiderivative(alpha: np.ndarray) -> np.ndarray:
 
 
 def visible_share(disc: SunDisc, surroundings: Surroundings) -> np.ndarray:
-    """Share of each sun's disc that no face hides, shape of the suns' leading axes: 61 points spread evenly over it."""
-    sun = as_numpy(disc.sun).astype(np.float64)
-    radius = np.asarray(as_numpy(disc.angular_radius), dtype=np.float64)[..., None, None]
+    """Share of each sun's disc that no face hides, shape of the suns' leading axes."""
+    return share_of_disc(as_numpy(disc.sun).astype(np.float64), as_numpy(disc.angular_radius), surroundings)
+
+
+def share_of_disc(sun: np.ndarray, radius: ArrayLike, surroundings: Surroundings) -> np.ndarray:
+    """Share of suns' discs that no face hides, of suns (..., 3) and radii (...,), radians: 61 points spread evenly."""
+    size = np.asarray(radius, dtype=np.float64)[..., None, None]
     k = np.arange(DISC_POINTS)
     reach, turn = np.sqrt((k + 0.5) / DISC_POINTS), k * np.pi * (3 - np.sqrt(5.0))
     u, v = (edge[..., None, :] for edge in tangent_frame(sun))
     around = np.cos(turn)[:, None] * u + np.sin(turn)[:, None] * v
-    points = sun[..., None, :] + np.tan(radius) * reach[:, None] * around
+    points = sun[..., None, :] + np.tan(size) * reach[:, None] * around
     points = points / np.linalg.norm(points, axis=-1, keepdims=True)
     return np.asarray((surroundings.seen(points) < 0).mean(axis=-1))
 

@@ -2,6 +2,7 @@
 
 - weather/    Weather in: files of every common kind become one record of a place and its hours
 - skies/      The skies of a year's hours on the dome's patches
+- planes/     Light on planes through a year: walls, desks, panels
 - gendaymtx/  A year by the rules of Radiance's gendaymtx, number by number
 - stores/     A year out: stores and files that appear whole or not at all
 """

@@ -9,9 +9,10 @@ pytest.importorskip("scipy")
 import skydome as sd
 from skydome.own_air.all_air.airs import AIRS, batch
 from skydome.own_air.all_air.lessons import Lessons, make_lessons
-from skydome.own_air.all_air.places import Places, sun_along
+from skydome.own_air.all_air.places import Places, between, sun_along
 from skydome.own_air.all_air.shells import PROFILES, Rays
 from skydome.own_air.all_air.solver import Solver, scatter_once
+from skydome.own_air.all_air.sunlight import Sunlight
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.rest_files import load_rest
 from skydome.skies.all_air.single_scattering import lit_rays
@@ -49,10 +50,12 @@ def test_random_airs_are_within_what_is_taught():
 def test_columns_along_rays():
     heights, cosines = np.array([0.0, 0.0, 20_000.0]), np.array([1.0, 0.02, -1.0])
     rays = Rays.of(heights, cosines, 24)
-    tables = ColumnTables.of(sd.clear_air())
+    tables, straight = ColumnTables.of(sd.clear_air()), ColumnTables.of(sd.clear_air(), refractivity=0.0)
     above = np.stack([part.above(0.0) - part.above(100_000.0) for part in PROFILES])
     np.testing.assert_allclose(rays.whole[0], above, rtol=2e-3)
-    np.testing.assert_allclose(rays.whole[1][[0, 1, 3, 2]], tables.rising(np.array(0.0), np.array(0.02)), rtol=5e-3)
+    np.testing.assert_allclose(rays.whole[1][[0, 1, 3, 2]], straight.rising(np.array(0.0), np.array(0.02)), rtol=5e-3)
+    eye = Rays.to_the_eye(cosines[1:2], 24)
+    np.testing.assert_allclose(eye.column[0, -1, [0, 1, 3, 2]], tables.rising(np.array(0.0), np.array(0.02)), rtol=5e-3)
     np.testing.assert_allclose(rays.whole[2], above - [part.above(20_000.0) for part in PROFILES], atol=2e-3)
     np.testing.assert_allclose((rays.density * rays.step[..., None]).sum(axis=1)[:, 0], rays.whole[:, 0], rtol=5e-3)
 
@@ -61,13 +64,13 @@ def test_columns_along_rays():
 def test_light_scattered_once_is_that_of_the_sky(elevation):
     """The compiled points of a ray against the arrays of `PhysicalSky`."""
     cosine, sine, azimuth = 0.3, np.sin(np.radians(elevation)), np.array([0.7])
-    rays = Rays.of(np.zeros(1), np.array([cosine]), 200)
-    sun, _, between = sun_along(0.0, cosine, rays.distance[0], np.array([sine]), azimuth)
+    rays = Rays.to_the_eye(np.array([cosine]), 200)
+    sun = Sunlight.of(rays.height[0], sun_along(rays.arc[0], np.array([sine]), azimuth)[0])
     depth = np.zeros((4, AIRS))
     depth[0], depth[1] = np.linspace(0.05, 0.4, AIRS), 0.1
     found = np.zeros((1, 1, AIRS), np.float32)
     scatter_once(rays, 0, sun, depth, depth[:3] * [[1], [0], [0]], np.ones((1, 1, 3, AIRS)), found)
-    view, toward, angle = (np.array(x) for x in (cosine, sine, between[0, 0]))
+    view, toward, angle = (np.array(x) for x in (cosine, sine, between(cosine, np.array([sine]), azimuth)[0, 0]))
     peer = lit_rays(ColumnTables.of(sd.clear_air()), view, toward, angle).strengths(
         [depth[0], depth[1], depth[3], depth[2]]
     )

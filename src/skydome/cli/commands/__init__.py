@@ -9,6 +9,7 @@
 - shader       `skydome shader`: a sky as a function of direction in a shading language
 - glare        `skydome glare`: what an eye, or a camera, makes of a map's sun, side by side with the bare view
 - illuminance  `skydome illuminance`: the light on a plane, tilted or not, under an open or an obstructed sky
+- planes_of_year  `skydome illuminance --weather`: the light on planes through a year
 - year         `skydome year`: a weather file in, a year of skies out; or many sites on a cluster
 - terrain      `skydome terrain`: a picture of real land under a sky, with the air in between
 """

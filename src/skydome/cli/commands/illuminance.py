@@ -6,14 +6,20 @@ from typing import Annotated, Any
 
 from typer import Option
 
+from skydome.cli.commands.planes_of_year import YearOptions, year_on_planes, year_rows
 from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
 
-Plane = Annotated[
-    str,
-    Option(metavar="TILT,AZ", help="Tilt from level, 0-180, and azimuth it faces, degrees: 90,180 is a south wall."),
+Planes = Annotated[
+    list[str] | None,
+    Option(
+        "--plane",
+        metavar="TILT,AZ",
+        help="Tilt from level, 0-180, and azimuth it faces, degrees: 90,180 is a south wall; many with --weather. "
+        "[default: 0,180]",
+    ),
 ]
 Profile = Annotated[
     Path | None, Option(metavar="FILE.csv", help="The horizon: rows of azimuth,elevation in degrees, north 0, east 90.")
@@ -26,21 +32,37 @@ InColour = Annotated[
 Bands = Annotated[int, Option(help="Bands to cut the sky into, at least; more are laid where the horizon asks.")]
 
 
-@taking(SkyOptions)
+@taking(SkyOptions, YearOptions)
 def illuminance(
     options: SkyOptions,
-    plane: Plane = "0,180",
+    of_year: YearOptions,
+    plane: Planes = None,
     horizon: Profile = None,
     ground: Ground = None,
     bands: Bands = 64,
     light: InColour = None,
     as_json: AsJson = False,
 ) -> None:
-    """Print the illuminance on a plane: from sky, sun and ground, and what a horizon takes away."""
-    asked = Asked.of(plane, horizon, ground, bands, light, options)
+    """Print the illuminance on a plane: from sky, sun and ground; or that of a year on planes."""
+    planes = plane or ["0,180"]
+    if of_year.weather is not None:
+        facts = year_on_planes(options, of_year, planes, horizon, ground_of(ground, options))
+        show(facts, year_rows(facts), as_json)
+        return
+    if of_year != YearOptions() or len(planes) > 1:
+        raise ValueError("more than one plane, and options of a year, need --weather FILE")
+    asked = Asked.of(planes[0], horizon, ground, bands, light, options)
     scene = scene_of(options)
     facts = plane_facts(scene, asked)
     show(facts, plane_rows(facts), as_json)
+
+
+def ground_of(ground: float | None, options: SkyOptions) -> float:
+    """The reflectance of the ground; ValueError outside [0, 1]."""
+    albedo = next((value for value in (ground, options.albedo) if value is not None), 0.2)
+    if not 0 <= albedo <= 1:
+        raise ValueError(f"--ground must lie in [0, 1], got {albedo:g}")
+    return albedo
 
 
 @dataclass(frozen=True)
@@ -68,9 +90,7 @@ class Asked:
             raise ValueError(f"the tilt of --plane must lie in [0, 180] degrees, got {tilt:g}")
         if not 1 <= bands <= 4096:
             raise ValueError(f"--bands must lie in [1, 4096], got {bands}")
-        albedo = next((value for value in (ground, options.albedo) if value is not None), 0.2)
-        if not 0 <= albedo <= 1:
-            raise ValueError(f"--ground must lie in [0, 1], got {albedo:g}")
+        albedo = ground_of(ground, options)
         around = Open() if profile is None else Horizon.read(profile)
         name = None if profile is None else str(profile)
         kind = None if light is None else InKind.of(light)

@@ -18,6 +18,10 @@ def shader(
     lang: Annotated[str, Option(metavar="glsl|wgsl|hlsl|osl|c", help="The shading language.")] = "glsl",
     scale: Annotated[float, Option(help="Value of 1 cd m-2; 1e-4 suits a game exposed for noon.")] = 1.0,
     bands: Annotated[bool, Option("--bands", help="A spectral network's bands, W m-2 sr-1 nm-1, not RGB.")] = False,
+    basis: Annotated[
+        str | None,
+        Option(metavar="KIND,ORDER", help="The sky, of any model, as a sum of functions: steerable,4; gaussians,32."),
+    ] = None,
     output: Annotated[Path | None, Option("--output", "-o", help="File; stdout without it.")] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -27,10 +31,13 @@ def shader(
     from skydome.ground.writing import appearing
 
     language(lang)  # refused before the sky is made
-    require_shader(options.model)
+    kind, order = ("", 0) if basis is None else kind_and_order(basis)
+    if basis is None:
+        require_shader(options.model)
     require_output(output, "the shader's file")
     scene = scene_of(options)
-    source = sd.shader(scene.sky, lang, scale=scale, bands=bands)
+    sky = scene.sky if basis is None else sd.SkyBasis.fit(scene.sky, kind, order)
+    source = sd.shader(sky, lang, scale=scale, bands=bands)
     if output is None and not as_json:
         sys.stdout.write(source)
         return
@@ -41,10 +48,26 @@ def shader(
     show(facts | {"source": source}, {"language": lang, "file": str(output)}, as_json)
 
 
+def kind_and_order(text: str) -> tuple[str, int]:
+    """The kind of basis and its order; ValueError unless the text is one of the kinds, a comma and a whole number."""
+    from skydome.dome.bases.sky_basis import KINDS
+
+    kind, _, order = text.partition(",")
+    if kind not in KINDS or not order.isdigit():
+        raise ValueError(
+            f"--basis must be one of {', '.join(KINDS)}, a comma and an order, as steerable,4, got {text!r}"
+        )
+    KINDS[kind](int(order))  # refused before the sky is made
+    return kind, int(order)
+
+
 def require_shader(name: str) -> None:
     """ValueError for a model that no shader can be written of, before its sky is made."""
     from skydome.skies.catalogue import CATALOGUE, model_named
 
     if not model_named(name).has_shader:
         known = ", ".join(model.name for model in CATALOGUE if model.has_shader and not model.name[-1].isdigit())
-        raise ValueError(f"shaders know the nine-number formula and networks: {known}, cie-1 ... cie-15; got {name}")
+        raise ValueError(
+            f"shaders know the nine-number formula and networks: {known}, cie-1 ... cie-15; got {name} "
+            "(any other sky with --basis steerable,4)"
+        )

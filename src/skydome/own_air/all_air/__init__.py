@@ -2,6 +2,7 @@
 
 - airs           Airs drawn at random, far wider than real ones
 - shells         Round shells of air, and rays through them with nodes and columns
+- sunlight       Sunlight along the rays: bent, thinned, blocked by the ground
 - phases         Phase functions of many airs, as they are and cut to a few moments
 - places         The grid of heights, views, suns and azimuths
 - harmonics      From light to what the air gives off

@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from skydome.own_air.all_air.shells import RADIUS, TOP
+from skydome.own_air.all_air.shells import TOP
 
 CROWDING = 4.8
 """How strongly heights crowd at the ground."""
@@ -76,18 +76,20 @@ class Places:
         return np.asarray(np.interp(azimuth, x - 0.5 * np.sin(x), x) / np.pi * (self.azimuths - 1), dtype=np.float32)
 
 
-def sun_along(
-    height: float, cosine: float, distance: np.ndarray, sines: np.ndarray, azimuths: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Cosine of suns to the vertical (K, S, P) and azimuth from them (K, S, P) at distances (K,) along a ray, and the
-    cosine of the angle between ray and sun (S, P); suns by the sine of their elevation at the ray's start.
+def sun_along(arc: np.ndarray, sines: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Sine of suns' true elevation and azimuth from them, (K, S, P), so far round the planet (K,) along a ray.
+
+    Suns by the sine of their elevation at the ray's start (S,), its azimuth from them (P,).
     """
-    r, level = RADIUS + height, np.sqrt(max(1 - cosine**2, 0.0))
-    turned = np.broadcast_to(np.cos(azimuths), (len(sines), len(azimuths)))
-    between = cosine * sines[:, None] + level * np.sqrt(np.maximum(1 - sines**2, 0.0))[:, None] * turned
-    reached = np.sqrt(r * r + distance**2 + 2 * r * cosine * distance)[:, None, None]
-    sun = np.clip((r * sines[:, None] + distance[:, None, None] * between) / reached, -1, 1)
-    view = np.clip((r * cosine + distance)[:, None, None] / reached, -1, 1)
-    scale = np.sqrt((1 - view**2) * (1 - sun**2))
-    turn = np.where(scale > 1e-6, (between - view * sun) / np.maximum(scale, 1e-6), turned)
-    return sun, np.arccos(np.clip(turn, -1, 1)), between
+    arc, turned = arc[:, None, None], np.cos(azimuths)
+    level = np.sqrt(np.maximum(1 - sines**2, 0.0))[:, None] * turned
+    sun = np.clip(np.cos(arc) * sines[:, None] + np.sin(arc) * level, -1, 1)
+    scale, ahead = np.sqrt(1 - sun**2), np.cos(arc) * level - np.sin(arc) * sines[:, None]
+    turn = np.where(scale > 1e-6, ahead / np.maximum(scale, 1e-6), turned)
+    return sun, np.arccos(np.clip(turn, -1, 1))
+
+
+def between(cosine: float, sines: np.ndarray, azimuths: np.ndarray) -> np.ndarray:
+    """Cosine of the angle between a ray and suns, (S, P)."""
+    level = np.sqrt(max(1 - cosine**2, 0.0)) * np.sqrt(np.maximum(1 - sines**2, 0.0))
+    return np.asarray(cosine * sines[:, None] + level[:, None] * np.cos(azimuths))

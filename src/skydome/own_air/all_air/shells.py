@@ -1,5 +1,8 @@
 """The taught air's round shells, and rays through them: nodes that crowd where the air is dense.
 
+Sunlight comes by bent rays (`air.bending`), and so does the light that reaches the eye on the ground; between two
+points in the air it goes straight.
+
 Four constituents, in the order of `Optics`: molecules, low aerosol, stratospheric aerosol, ozone; all lengths in m.
 """
 
@@ -8,10 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from skydome.air.atmosphere import Atmosphere
 from skydome.air.profiles import OZONE_LAYER, STANDARD_1976, STRATOSPHERIC_LAYER, Exponential
 from skydome.ground.extras import required
 from skydome.ground.quadrature import gauss_legendre
-from skydome.skies.all_air.column_tables import profile_tables
+from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.single_scattering import along
 
 RADIUS, TOP = 6_371_000.0, 100_000.0
 PROFILES = (STANDARD_1976, Exponential(1_500.0), STRATOSPHERIC_LAYER, OZONE_LAYER)
@@ -20,9 +25,11 @@ DENSE = 600.0
 
 
 @cache
-def columns() -> np.ndarray:
-    """Columns out to space by height and cosine to the vertical, `ColumnTables`' nodes, (heights, cosines, 4)."""
-    return np.ascontiguousarray(np.stack([profile_tables(part, RADIUS, TOP)[0] for part in PROFILES], axis=-1))
+def tables() -> ColumnTables:
+    """Columns out to space of the four, as `PhysicalSky` has them."""
+    from skydome.air.constituents import Aerosol
+
+    return ColumnTables.of(Atmosphere(tuple(Aerosol(profile=part) for part in PROFILES), radius=RADIUS, height=TOP))
 
 
 def density(heights: np.ndarray) -> np.ndarray:
@@ -31,18 +38,19 @@ def density(heights: np.ndarray) -> np.ndarray:
 
 
 class Rays(NamedTuple):
-    """Nodes along N rays, (N, K) each: distance, its weight, height and cosine to the vertical; columns from the
-    start and densities (N, K, 4); for each ray whether it meets the ground, its length, and its whole column (N, 4).
+    """Nodes along N rays, (N, K) each: how far round the planet, radians, weight, m, height and cosine to the
+    vertical; columns from the start and densities (N, K, 4); for each ray whether it meets the ground, how far round
+    it goes, and its whole column (N, 4).
     """
 
-    distance: np.ndarray
+    arc: np.ndarray
     step: np.ndarray
     height: np.ndarray
     cosine: np.ndarray
     column: np.ndarray
     density: np.ndarray
     grounded: np.ndarray
-    length: np.ndarray
+    end: np.ndarray
     whole: np.ndarray
 
     @classmethod
@@ -51,6 +59,17 @@ class Rays(NamedTuple):
         return cls(
             *map(np.stack, zip(*(ray(h, mu, nodes) for h, mu in zip(heights, cosines, strict=True)), strict=True))
         )
+
+    @classmethod
+    def to_the_eye(cls, cosines: np.ndarray, nodes: int) -> "Rays":
+        """Bent rays from the ground, seen at cosines to the vertical (N,) of 0 or more."""
+        straight = cls.of(np.zeros(len(cosines)), cosines, nodes)
+        before, after = along(tables(), cosines, straight.height)
+        denser = before / after
+        column = np.stack([bent_columns(mu, row) for mu, row in zip(cosines, straight.height, strict=True)])
+        turn = tables().turned(np.zeros_like(cosines), cosines)[:, None] - tables().turned(straight.height, after)
+        arc = np.arccos(cosines)[:, None] + turn - np.arccos(after)
+        return straight._replace(arc=arc, step=straight.step * denser, cosine=after, column=column)
 
 
 def ray(height: float, cosine: float, nodes: int) -> tuple[np.ndarray, ...]:
@@ -68,7 +87,17 @@ def ray(height: float, cosine: float, nodes: int) -> tuple[np.ndarray, ...]:
     h = np.maximum(reached - RADIUS, 0.0)
     toward = np.clip((r * cosine + t) / reached, -1, 1)
     grounded = np.array(cosine < 0 and least < RADIUS**2)
-    return t, step, h, toward, column, density(h), grounded, np.array(length), whole
+    level = np.sqrt(max(1 - cosine * cosine, 0.0))
+    arc, end = (np.arctan2(level * d, r + cosine * d) for d in (t, np.array(length)))
+    return arc, step, h, toward, column, density(h), grounded, end, whole
+
+
+def bent_columns(cosine: float, heights: np.ndarray) -> np.ndarray:
+    """Columns (K, 4) from the ground to heights (K,) along a bent ray seen at a cosine."""
+    own = tables()
+    whole = own.rising(np.zeros(1), np.array([cosine]))
+    after = along(own, np.array([cosine]), heights[None])[1][0]
+    return np.asarray(whole - own.rising(heights, after))
 
 
 def spread(s: np.ndarray, first: float, length: float) -> tuple[np.ndarray, np.ndarray]:

@@ -14,8 +14,9 @@ from skydome.ground.extras import required
 from skydome.own_air.all_air.airs import AIRS
 from skydome.own_air.all_air.harmonics import Harmonics
 from skydome.own_air.all_air.phases import Scaled, depths, exact_phase, scattered
-from skydome.own_air.all_air.places import Places, sun_along
-from skydome.own_air.all_air.shells import RADIUS, TOP, Rays, columns, density
+from skydome.own_air.all_air.places import Places, between, sun_along
+from skydome.own_air.all_air.shells import Rays, density
+from skydome.own_air.all_air.sunlight import Sunlight, seen_sines
 from skydome.skies.all_air.taught_air import Optics
 
 TYPICAL = Optics(
@@ -82,12 +83,11 @@ class Solver:
         """Light scattered once or thrown back by the ground along all rays, (N, suns, azimuths, AIRS)."""
         places, rays = self.places, self.rays_once
         light = np.zeros((len(self.heights), places.suns, places.azimuths, AIRS), np.float32)
-        for n, (height, cosine) in enumerate(zip(self.heights, self.cosines, strict=True)):
-            along = sun_along(height, cosine, rays.distance[n], places.sun_nodes, places.azimuth_nodes)
-            scatter_once(rays, n, along[0], scaled.depth, scaled.scattering, scaled.phase(along[2]), light[n])
+        for n, cosine in enumerate(self.cosines):
+            phase = scaled.phase(between(cosine, places.sun_nodes, places.azimuth_nodes))
+            scatter_once(rays, n, self.sunlight[n], scaled.depth, scaled.scattering, phase, light[n])
             if rays.grounded[n]:
-                end = sun_along(height, cosine, rays.length[n : n + 1], places.sun_nodes, places.azimuth_nodes)[0]
-                lit_ground(rays, n, end, scaled, light[n])
+                lit_ground(rays, n, self.sunlight_below[n], scaled, light[n])
         return light
 
     def at_ground(
@@ -96,25 +96,26 @@ class Solver:
         sines: np.ndarray,
         cosines: np.ndarray,
         azimuths: np.ndarray,
-        nodes: int = 28,
-        fine: int = 96,
+        nodes: int = 26,
+        fine: int = 64,
     ) -> tuple[np.ndarray, np.ndarray]:
         """The rest of the light at the ground and the light scattered once, sr-1, each (V, S, P, AIRS).
 
+        Views as they are seen, suns as they stand.
         Suns by the sine of their elevation (S,), views by cosine to the vertical (V,), azimuths from the sun (P,).
         """
         from skydome.own_air.all_air.solver_kernel import sweep
 
-        zero, scaled = np.zeros(len(cosines)), orders.scaled
-        rays, close = Rays.of(zero, cosines, nodes), Rays.of(zero, cosines, fine)
-        suns, turns, norm = self.places_along(rays, zero, cosines, sines, azimuths)
+        scaled, seen = orders.scaled, seen_sines(sines)
+        rays, close = Rays.to_the_eye(cosines, nodes), Rays.to_the_eye(cosines, fine)
+        suns, turns, norm = self.places_along(rays, sines, azimuths)
         rest = np.empty((len(cosines), len(sines), len(azimuths), AIRS), np.float32)
         height, view = self.places.height_place(rays.height), self.places.view_place(rays.cosine)
         sweep(orders.source, height, view, suns, turns, norm, weights(rays, scaled), rest)
         once, cut = np.zeros_like(rest), np.zeros_like(rest)
         for n, cosine in enumerate(cosines):
-            sun, _, between = sun_along(0.0, cosine, close.distance[n], sines, azimuths)
-            phase = exact_phase(orders.air, between)
+            sun = Sunlight.of(close.height[n], sun_along(close.arc[n], sines, azimuths)[0])
+            phase = exact_phase(orders.air, between(cosine, seen, azimuths))
             scatter_once(close, n, sun, depths(orders.air), scattered(orders.air), phase, once[n])
             whole = scaled.scattering / (1 - scaled.ahead)
             scatter_once(close, n, sun, scaled.depth, whole, phase, cut[n])
@@ -151,23 +152,31 @@ class Solver:
         return self.places.height_place(self.rays.height), self.places.view_place(self.rays.cosine)
 
     @cached_property
+    def sunlight(self) -> list[Sunlight]:
+        """On the nodes of `rays_once`, ..."""
+        rays, given = self.rays_once, (self.places.sun_nodes, self.places.azimuth_nodes)
+        return [Sunlight.of(h, sun_along(arc, *given)[0]) for h, arc in zip(rays.height, rays.arc, strict=True)]
+
+    @cached_property
+    def sunlight_below(self) -> list[Sunlight]:
+        """... and at their ends on the ground."""
+        rays, given = self.rays_once, (self.places.sun_nodes, self.places.azimuth_nodes)
+        return [Sunlight.of(np.zeros(1), sun_along(end[None], *given)[0]) for end in rays.end]
+
+    @cached_property
     def along(self) -> tuple[np.ndarray, ...]:
         """Places of sun and azimuth and norm along all rays; place of sun and norm at their ends."""
-        places, given = self.places, (self.heights, self.cosines, self.places.sun_nodes, self.places.azimuth_nodes)
-        ends = [
-            sun_along(h, mu, self.rays.length[n : n + 1], *given[2:])[0][0]
-            for n, (h, mu) in enumerate(zip(*given[:2], strict=True))
-        ]
-        end = places.sun_place(np.stack(ends))
+        places, given = self.places, (self.places.sun_nodes, self.places.azimuth_nodes)
+        end = places.sun_place(np.stack([sun_along(end[None], *given)[0][0] for end in self.rays.end]))
         return (*self.places_along(self.rays, *given), end, self.norm(np.zeros_like(end), end))
 
     def places_along(
-        self, rays: Rays, heights: np.ndarray, cosines: np.ndarray, sines: np.ndarray, azimuths: np.ndarray
+        self, rays: Rays, sines: np.ndarray, azimuths: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Places of sun and azimuth, and the norm there, each (N, K, S, P)."""
         suns, turns, norms = [], [], []
-        for n, (height, cosine) in enumerate(zip(heights, cosines, strict=True)):
-            sun, turn, _ = sun_along(height, cosine, rays.distance[n], sines, azimuths)
+        for n, arc in enumerate(rays.arc):
+            sun, turn = sun_along(arc, sines, azimuths)
             suns.append(self.places.sun_place(sun))
             turns.append(self.places.azimuth_place(turn))
             row = self.places.height_place(rays.height[n])[:, None, None]
@@ -202,25 +211,24 @@ def mixed(places: Places, scaled: Scaled) -> np.ndarray:
 
 
 def scatter_once(
-    rays: Rays, n: int, sun: np.ndarray, depth: np.ndarray, scattering: np.ndarray, phase: np.ndarray, out: np.ndarray
+    rays: Rays,
+    n: int,
+    sun: Sunlight,
+    depth: np.ndarray,
+    scattering: np.ndarray,
+    phase: np.ndarray,
+    out: np.ndarray,
 ) -> None:
     """Adds what ray n scatters once to `out` (S, P, AIRS)."""
-    from skydome.own_air.all_air.solver_kernel import add_once
-
-    strength = np.float32((rays.density[n, :, :3] * rays.step[n, :, None])[..., None] * scattering)
-    given = (rays.column[n], np.float32(depth), strength, np.float32(phase), out)
-    add_once(columns(), rays.height[n], sun, RADIUS, TOP, *given)
+    strength = (rays.density[n, :, :3] * rays.step[n, :, None])[..., None] * scattering
+    sun.scattered(rays.column[n], depth, strength, phase, out)
 
 
-def lit_ground(rays: Rays, n: int, sun: np.ndarray, scaled: Scaled, out: np.ndarray) -> None:
-    """Adds the sunlight that the ground throws back along ray n to `out` (S, P, AIRS); the sun's cosine (1, S, P)."""
-    from skydome.own_air.all_air.solver_kernel import add_once
-
-    strength, phase = np.zeros((1, 3, AIRS), np.float32), np.zeros((*sun.shape[1:], 3, AIRS), np.float32)
-    strength[0, 0], phase[:, :, 0] = scaled.ground, (np.maximum(sun[0], 0.0) / np.pi)[..., None]
-    add_once(
-        columns(), np.zeros(1), sun, RADIUS, TOP, rays.whole[n : n + 1], np.float32(scaled.depth), strength, phase, out
-    )
+def lit_ground(rays: Rays, n: int, sun: Sunlight, scaled: Scaled, out: np.ndarray) -> None:
+    """Adds the sunlight (1, S, P) that the ground throws back along ray n to `out` (S, P, AIRS)."""
+    strength, phase = np.zeros((1, 3, AIRS), np.float32), np.zeros((*sun.sine.shape[1:], 3, AIRS), np.float32)
+    strength[0, 0], phase[:, :, 0] = scaled.ground, (np.maximum(sun.sine[0], 0.0) / np.pi)[..., None]
+    sun.scattered(rays.whole[n : n + 1], scaled.depth, strength, phase, out)
 
 
 def series_tail(

@@ -98,40 +98,36 @@ def add_ground(irradiance, sun, norm, weight, grounded, out):
 
 
 @job(ANY_ORDER)
-def add_once(table, height, cosine, radius, top, column, depth, strength, phase, out):
+def add_once(table, level, row, sine, lowest, share, column, depth, strength, phase, out):
     """Adds the light that points (K,) of one ray scatter once to `out` (S, P, AIRS).
 
-    `table` (heights, cosines, 4) of columns; cosines of the sun to the vertical (K, S, P); columns (K, 4) that light
-    has still to go; optical depths (4, AIRS); what each scatters (K, 3, AIRS) and how much of it hither
-    (S, P, 3, AIRS).
+    `table` (heights, cosines, 4) and `level` (heights, 4) of columns; places of height (K,); sines of the suns seen
+    there, places where their light is lowest and what is left of it, (K, S, P); columns (K, 4) that light has still to
+    go; optical depths (4, AIRS); what each scatters (K, 3, AIRS) and how much of it hither (S, P, 3, AIRS).
     """
     toward = np.empty(4, np.float32)
     rows, lines = table.shape[0], table.shape[1]
-    for k in range(height.shape[0]):
-        u = math.sqrt(min(max(height[k] / top, 0.0), 1.0)) * (rows - 1)
-        i = min(int(u), rows - 2)
-        u -= i
-        for s in range(cosine.shape[1]):
-            for p in range(cosine.shape[2]):
-                m = cosine[k, s, p]
-                lowest = (radius + height[k]) * math.sqrt(max(1 - m * m, 0.0)) - radius
-                if m < 0 and lowest < 0:
+    for k in range(row.shape[0]):
+        i = min(int(row[k]), rows - 2)
+        u = row[k] - i
+        for s in range(sine.shape[1]):
+            for p in range(sine.shape[2]):
+                if share[k, s, p] <= 0:
                     continue
-                v = math.sqrt(min(abs(m), 1.0)) * (lines - 1)
+                v = math.sqrt(min(abs(sine[k, s, p]), ONE)) * (lines - 1)
                 j = min(int(v), lines - 2)
                 v -= j
-                x = math.sqrt(min(max(lowest / top, 0.0), 1.0)) * (rows - 1)
-                q = min(int(x), rows - 2)
-                x -= q
+                q = min(int(lowest[k, s, p]), rows - 2)
+                x = lowest[k, s, p] - q
                 for c in range(4):
                     own = (table[i, j, c] * (1 - u) + table[i + 1, j, c] * u) * (1 - v)
                     own += (table[i, j + 1, c] * (1 - u) + table[i + 1, j + 1, c] * u) * v
-                    if m < 0:
-                        own = max(2 * (table[q, 0, c] * (1 - x) + table[q + 1, 0, c] * x) - own, 0.0)
+                    if sine[k, s, p] < 0:
+                        own = max(2 * (level[q, c] * (1 - x) + level[q + 1, c] * x) - own, 0.0)
                     toward[c] = real(own + column[k, c])
                 for b in range(AIRS):
                     deep = toward[0] * depth[0, b] + toward[1] * depth[1, b] + toward[2] * depth[2, b]
-                    left = exponential(-(deep + toward[3] * depth[3, b]))
+                    left = share[k, s, p] * exponential(-(deep + toward[3] * depth[3, b]))
                     out[s, p, b] += left * (
                         strength[k, 0, b] * phase[s, p, 0, b] + strength[k, 1, b] * phase[s, p, 1, b]
                         + strength[k, 2, b] * phase[s, p, 2, b]

@@ -1,7 +1,7 @@
 """Densities and columns of the air's constituents as tables that arrays of any library can be looked up in.
 
-Both are linear between nodes that crowd at the ground and at the horizontal; a ray that falls first is made of two
-that rise: twice the column from where it is lowest, less the one that lies behind.
+Both are linear between nodes that crowd at the ground and at the horizontal, and columns are those of rays that the air
+bends; a ray that falls first is made of two that rise: twice the column from where it is lowest, less the one behind.
 """
 
 from dataclasses import dataclass
@@ -10,12 +10,12 @@ from functools import cache
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.air.bending import COSINES, HEIGHTS, REFRACTIVITY, Bending, bending, density_ratio
 from skydome.air.profiles import Profile
 from skydome.ground.arrays import Array, constant, limited, namespace, safe_sqrt
-from skydome.ground.quadrature import gauss_legendre
 
-HEIGHTS, COSINES, LEVELS = 192, 96, 1024
-"""Nodes of the columns in height and in the cosine to the vertical, and of the densities in height."""
+LEVELS = 1024
+"""Nodes of the densities in height."""
 BLOCKED = 1e4
 """Column, in vertical columns, that stands for the ground in the way."""
 
@@ -24,54 +24,90 @@ BLOCKED = 1e4
 class ColumnTables:
     """Columns out to space and densities of K profiles about a planet of `radius` with air up to `height`, m."""
 
-    radius: float
-    height: float
+    bent: Bending
     columns: np.ndarray
-    """In vertical columns, (heights, cosines, K)."""
+    """In vertical columns, (heights, cosines, K), ..."""
+    level: np.ndarray
+    """... and of rays that are level where they are lowest, (heights, K)."""
     densities: np.ndarray
     """m-1 of a column of 1, (levels, K)."""
 
     @classmethod
-    def of(cls, air: Atmosphere) -> "ColumnTables":
-        """The tables of an atmosphere's constituents; those of a profile are made once."""
-        parts = [profile_tables(part.profile, air.radius, air.height) for part in air.constituents]
-        columns, densities = (np.stack(rows, axis=-1) for rows in zip(*parts, strict=True))
-        return cls(air.radius, air.height, columns, densities)
+    def of(cls, air: Atmosphere, refractivity: float = REFRACTIVITY) -> "ColumnTables":
+        """The tables of an atmosphere's constituents; those of a profile are made once.
+
+        `refractivity`: of the air at the ground; 0 for straight rays.
+        """
+        size = (air.radius, air.height, refractivity)
+        parts = [profile_tables(part.profile, *size) for part in air.constituents]
+        tables = (np.stack(rows, axis=-1) for rows in zip(*parts, strict=True))
+        return cls(bending(*size), *tables)
+
+    @property
+    def radius(self) -> float:
+        """Of the planet, m."""
+        return self.bent.shells.radius
+
+    @property
+    def height(self) -> float:
+        """Of the air, m."""
+        return self.bent.shells.height
+
+    @property
+    def refractivity(self) -> float:
+        """Refractive index less 1 at the ground."""
+        return self.bent.shells.refractivity
 
     def density(self, heights: Array) -> Array:
         """Density of each constituent at heights (...,), m-1, shape (..., K)."""
         return self.between(self.densities, self.row(heights, LEVELS))
 
-    def toward_sun(self, heights: Array, cosine: Array) -> Array:
-        """Columns from heights (...,) toward cosines to the vertical (...,), (..., K); `BLOCKED` behind the ground."""
-        xp = namespace(heights, cosine)
-        rising = self.rising(heights, xp.abs(cosine))
-        sine = safe_sqrt(1 - cosine * cosine)
-        lowest = (self.radius + heights) * sine - self.radius
-        twice = 2 * self.between(self.columns[:, 0], self.row(lowest, HEIGHTS))
-        falling = (cosine < 0)[..., None]
-        column = xp.where(falling, twice - rising, rising)
-        blocked = falling & (lowest < 0)[..., None]
-        return xp.where(blocked, xp.full_like(column, BLOCKED), limited(column, 0.0, BLOCKED))
+    def excess(self, heights: Array) -> Array:
+        """Refractive index less 1 at heights (...,)."""
+        return self.refractivity * self.between(density_levels(self.height), self.row(heights, LEVELS))[..., 0]
+
+    def seen(self, heights: Array, elevation: Array) -> tuple[Array, Array]:
+        """How high a sun at true elevations (...,) is seen from heights (...,), radians, and what is left of its light.
+
+        Nothing is left behind the ground; there the sun is seen on the horizon.
+        """
+        xp = namespace(heights, elevation)
+        row = self.row(heights, HEIGHTS)
+        horizon = self.between(self.bent.horizon[:, None], row)[..., 0]
+        above = limited((elevation - horizon) / (np.pi / 2 - horizon), 0.0, 1.0)
+        both = self.among(np.stack([self.bent.lift, self.bent.share], axis=-1), row, safe_sqrt(above) * (COSINES - 1))
+        share = xp.where(elevation < horizon, xp.zeros_like(elevation), both[..., 1])
+        return elevation + both[..., 0], share
+
+    def toward(self, heights: Array, sine: Array) -> Array:
+        """Columns from heights (...,) toward sines of apparent elevations (...,), (..., K), not below the horizon."""
+        xp = namespace(heights, sine)
+        rising = self.rising(heights, xp.abs(sine))
+        twice = 2 * self.between(self.level, self.lowest_place(heights, sine))
+        return xp.where((sine < 0)[..., None], limited(twice - rising, 0.0, BLOCKED), rising)
+
+    def lowest_place(self, heights: Array, sine: Array) -> Array:
+        """Place in `level` of where rays are level that pass heights (...,) at sines of apparent elevations (...,)."""
+        level, excess = safe_sqrt(1 - sine * sine), self.excess(heights)
+        deeper = sine * sine / (1 + level) * (1 + excess) * (self.radius + heights)
+        room = heights * (1 + excess) - self.radius * (self.refractivity - excess) - deeper
+        return safe_sqrt(limited(room / self.bent.room, 0.0, 1.0)) * (HEIGHTS - 1)
 
     def rising(self, heights: Array, cosine: Array) -> Array:
         """Columns from heights (...,) toward cosines of 0 or more (...,), (..., K)."""
-        xp = namespace(heights, cosine)
-        place = safe_sqrt(limited(cosine, 0.0, 1.0)) * (COSINES - 1)
-        first = whole_part(place, COSINES)
-        share = (place - xp.astype(first, place.dtype))[..., None]
-        flat = self.columns.reshape(HEIGHTS * COSINES, -1)
-        row = self.row(heights, HEIGHTS)
-        at = whole_part(row, HEIGHTS)
-        up = (row - xp.astype(at, row.dtype))[..., None]
-        index = at * COSINES + first
-        lower = taken(flat, index, row) * (1 - up) + taken(flat, index + COSINES, row) * up
-        upper = taken(flat, index + 1, row) * (1 - up) + taken(flat, index + COSINES + 1, row) * up
-        return lower * (1 - share) + upper * share
+        return self.among(self.columns, self.row(heights, HEIGHTS), self.line(cosine))
+
+    def turned(self, heights: Array, cosine: Array) -> Array:
+        """Angle by which rays from space have turned at heights (...,) toward cosines of 0 or more (...,), radians."""
+        return self.among(self.bent.turned[..., None], self.row(heights, HEIGHTS), self.line(cosine))[..., 0]
 
     def row(self, heights: Array, count: int) -> Array:
         """Place of heights (...,) among `count` nodes."""
         return safe_sqrt(limited(heights / self.height, 0.0, 1.0)) * (count - 1)
+
+    def line(self, cosine: Array) -> Array:
+        """Place of cosines (...,) among `COSINES` nodes."""
+        return safe_sqrt(limited(cosine, 0.0, 1.0)) * (COSINES - 1)
 
     def between(self, table: np.ndarray, place: Array) -> Array:
         """A table (count, K) at places (...,), (..., K)."""
@@ -79,6 +115,19 @@ class ColumnTables:
         first = whole_part(place, len(table))
         share = (place - xp.astype(first, place.dtype))[..., None]
         return taken(table, first, place) * (1 - share) + taken(table, first + 1, place) * share
+
+    def among(self, table: np.ndarray, row: Array, line: Array) -> Array:
+        """A table (count, lines, K) at places (...,) in both, (..., K)."""
+        xp = namespace(row, line)
+        count, lines = table.shape[:2]
+        flat = table.reshape(count * lines, -1)
+        at, first = whole_part(row, count), whole_part(line, lines)
+        up = (row - xp.astype(at, row.dtype))[..., None]
+        share = (line - xp.astype(first, line.dtype))[..., None]
+        index = at * lines + first
+        lower = taken(flat, index, row) * (1 - up) + taken(flat, index + lines, row) * up
+        upper = taken(flat, index + 1, row) * (1 - up) + taken(flat, index + lines + 1, row) * up
+        return lower * (1 - share) + upper * share
 
 
 def whole_part(place: Array, count: int) -> Array:
@@ -94,16 +143,15 @@ def taken(table: np.ndarray, index: Array, like: Array) -> Array:
 
 
 @cache
-def profile_tables(profile: Profile, radius: float, height: float) -> tuple[np.ndarray, np.ndarray]:
-    """Columns (heights, cosines) by quadrature, and densities (levels,) of one profile."""
-    heights = height * np.linspace(0, 1, HEIGHTS) ** 2
-    cosines = np.linspace(0, 1, COSINES) ** 2
-    t, w = gauss_legendre(200)
-    above = height - heights[:, None]
-    reached, steps = heights[:, None] + above * t**2, above * 2 * t * w
-    ratio = ((radius + heights[:, None]) / (radius + reached)) ** 2
-    risen = (reached - heights[:, None]) * (2 * radius + reached + heights[:, None]) / (radius + reached) ** 2
-    flow = profile.density(reached) * steps
-    columns = np.stack([(flow / np.sqrt(np.maximum(c * c * ratio + risen, 1e-300))).sum(axis=1) for c in cosines], 1)
-    columns[-1] = 0.0
-    return columns, profile.density(height * np.linspace(0, 1, LEVELS) ** 2)
+def density_levels(height: float) -> np.ndarray:
+    """Density over that at the ground at the densities' nodes, (levels, 1)."""
+    return density_ratio(height * np.linspace(0, 1, LEVELS) ** 2)[:, None]
+
+
+@cache
+def profile_tables(
+    profile: Profile, radius: float, height: float, refractivity: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Columns (heights, cosines), those of level rays (heights,), and densities (levels,) of one profile."""
+    columns, level = bending(radius, height, refractivity).columns(profile)
+    return columns, level, profile.density(height * np.linspace(0, 1, LEVELS) ** 2)

@@ -1,14 +1,17 @@
 """Light scattered once toward the ground in round shells, exactly, in arrays of any library, with gradients.
 
 Along a ray the integral over the distance is by Gauss nodes that crowd where the air is dense. After sunset it starts
-where the ray leaves the earth's shadow, so that the shadow's edge is as sharp as it is.
+where the ray leaves the earth's shadow, so that the shadow's edge is as sharp as it is. The air bends both the view
+and the sunlight (`air.bending`): a view is looked along as it is seen, the sun is given as it stands without air.
 """
 
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from skydome.air.rays import running_integral
-from skydome.ground.arrays import Array, at_least, constant, limited, namespace, safe_sqrt
+from skydome.ground.arrays import Array, at_least, constant, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.all_air.column_tables import ColumnTables
 
@@ -54,33 +57,64 @@ def lit_rays(tables: ColumnTables, view: Array, sun: Array, between: Array) -> L
     shadow = xp.where(shadow < end, shadow, end * (1 - 1e-9))
     start = limited(rise(tables, view, FIRST * tables.height), 0.0, 0.01 * tables.height)
     _, _, shaded = sampled(tables, view, xp.zeros_like(shadow), shadow, start, SHADED)
-    distance, step, flow = sampled(tables, view, shadow, end, start, NODES)
-    heights = height_at(tables, view, distance)
+    heights, step, flow = sampled(tables, view, shadow, end, start, NODES)
     density = tables.density(heights)
     sums = xp.matmul(constant(running_integral(NODES), view), density * flow[..., None])
+    seen, left = tables.seen(heights, sun_over(tables, view, sun, between, heights))
+    column = tables.toward(heights, xp.sin(seen)) + sums + shaded[..., None, :]
+    return LitRay(step * left, density, column)
+
+
+def sun_over(tables: ColumnTables, view: Array, sun: Array, between: Array, heights: Array) -> Array:
+    """True elevation of the sun where a bent view has risen to heights (..., S), radians, same shape.
+
+    A view that turns by an angle along the way is where the sum of its turns and its angle to the vertical has gone.
+    """
+    xp = namespace(view)
+    level = safe_sqrt(1 - view * view)
+    local = along(tables, view, heights)[1]
+    turn = tables.turned(xp.zeros_like(view), view)[..., None] - tables.turned(heights, local)
+    arc = xp.atan2(level, view)[..., None] + turn - xp.atan2(safe_sqrt(1 - local * local), local)
+    flat = safe_divide(between - view * sun, level)
+    sine = limited(xp.cos(arc) * sun[..., None] + xp.sin(arc) * flat[..., None], -1.0, 1.0)
+    return xp.atan2(sine, safe_sqrt(1 - sine * sine))
+
+
+def along(tables: ColumnTables, view: Array, heights: Array) -> tuple[Array, Array]:
+    """Cosines to the vertical (..., S) at heights on a straight ray from the ground and on the bent one."""
+    straight = height_cosine(tables, view, heights)
+    ratio = tables.radius / (tables.radius + heights)
+    excess = tables.excess(heights)
+    denser = (tables.refractivity - excess) * (2 + tables.refractivity + excess) / (1 + excess) ** 2
+    bent = straight - denser * ratio * ratio * (1 - (view * view)[..., None])
+    return safe_sqrt(straight), safe_sqrt(at_least(bent, 0.0))
+
+
+def height_cosine(tables: ColumnTables, view: Array, heights: Array) -> Array:
+    """Squared cosine to the vertical (..., S) at heights on a straight ray from the ground."""
     reached = tables.radius + heights
-    cosine = (tables.radius * sun[..., None] + distance * between[..., None]) / reached
-    column = tables.toward_sun(heights, limited(cosine, -1.0, 1.0)) + sums + shaded[..., None, :]
-    return LitRay(step, density, column)
+    risen = heights * (2 * tables.radius + heights) / (reached * reached)
+    return risen + (view * view)[..., None] * (tables.radius / reached) ** 2
 
 
 def sampled(
     tables: ColumnTables, view: Array, begin: Array, end: Array, start: Array, count: int
 ) -> tuple[Array, Array, Array]:
-    """Distances and steps (..., S) between begin and end; and the whole column (..., K), or the rate for `NODES`.
+    """Heights and steps (..., S) between begin and end; and the whole column (..., K), or the rate for `NODES`.
 
-    The nodes crowd at the beginning: even over about `start`, then each further by a constant factor.
+    The nodes crowd at the beginning: even over about `start`, then each further by a constant factor. They lie at the
+    heights of a straight ray; the bent one is as much longer between two as it is flatter there.
     """
     xp = namespace(view)
     t, w = (constant(v, view) for v in gauss_legendre(count))
     power = xp.log1p((end - begin) / start)[..., None]
     grown = xp.exp(power * t)
-    distance = begin[..., None] + start[..., None] * (grown - 1)
-    rate = start[..., None] * power * grown
+    heights = height_at(tables, view, begin[..., None] + start[..., None] * (grown - 1))
+    straight, bent = along(tables, view, heights)
+    rate = start[..., None] * power * grown * safe_divide(straight, bent)
     if count == NODES:
-        return distance, rate * w, rate
-    density = tables.density(height_at(tables, view, distance))
-    return distance, rate * w, xp.sum(density * (rate * w)[..., None], axis=-2)
+        return heights, rate * w, rate
+    return heights, rate * w, xp.sum(tables.density(heights) * (rate * w)[..., None], axis=-2)
 
 
 def height_at(tables: ColumnTables, view: Array, distance: Array) -> Array:
@@ -97,11 +131,36 @@ def rise(tables: ColumnTables, view: Array, height: float) -> Array:
 
 
 def shadow_length(tables: ColumnTables, view: Array, sun: Array, between: Array) -> Array:
-    """Distance along a ray to where it leaves the earth's shadow, a cylinder; 0 by day, (...,)."""
-    below = limited(sun, -1.0, 0.0)
+    """Distance along a ray, (...,), to where no bent sunlight has come from yet; 0 by day.
+
+    A cylinder: the shadow of a sun that stands higher by the most that the air bends light.
+    """
+    xp = namespace(view)
+    level = safe_sqrt(1 - sun * sun)
+    most = 2 * float(tables.bent.turned[0, 0])
+    lifted = sun * float(np.cos(most)) + level * float(np.sin(most))
+    flat = safe_divide(between - view * sun, level)
+    between = view * lifted + flat * safe_sqrt(at_least(1 - lifted * lifted, 0.0))
+    below = xp.where(sun < 0, limited(lifted, -1.0, 0.0), xp.zeros_like(lifted))
     lean = view - below * between
     root = safe_sqrt(lean * lean + (1 - between * between) * below * below)
     return tables.radius * below * below / at_least(lean + root, 1e-12)
+
+
+FADING = np.radians(6.0)
+"""Depression of a set sun over which its lift fades by e: its light then comes by way of higher, thinner air."""
+
+
+def as_seen(tables: ColumnTables, sun: Array) -> Array:
+    """The sun (..., 3) where it is seen from the ground: what phase functions are about."""
+    xp = namespace(sun)
+    flat = safe_sqrt(sun[..., 0] * sun[..., 0] + sun[..., 1] * sun[..., 1])
+    elevation = xp.atan2(sun[..., 2], flat)
+    lift = tables.seen(xp.zeros_like(elevation), elevation)[0] - elevation
+    below = limited(elevation - float(tables.bent.horizon[0]), -1.0, 0.0)
+    seen = elevation + lift * xp.exp(below / FADING)
+    scale = safe_divide(xp.cos(seen), flat)
+    return xp.stack([sun[..., 0] * scale, sun[..., 1] * scale, xp.sin(seen)], axis=-1)
 
 
 def cosines(sun: Array, directions: Array) -> tuple[Array, Array, Array]:

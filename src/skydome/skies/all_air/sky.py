@@ -15,7 +15,7 @@ from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import load_rest, shipped_rest
-from skydome.skies.all_air.single_scattering import cosines, lit_rays
+from skydome.skies.all_air.single_scattering import as_seen, cosines, lit_rays
 from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
@@ -77,6 +77,16 @@ class PhysicalSky(AtmosphereSky):
         sun = floating(self.sun)
         other = foreign(self.atmosphere) if is_numpy(sun) else None
         return sun if other is None else constant(sun, other)
+
+    @property
+    def tables(self) -> ColumnTables:
+        """Densities and columns of the air."""
+        return ColumnTables.of(self.atmosphere)
+
+    @property
+    def seen_sun(self) -> Array:
+        """The sun (..., 3) where it is seen, lifted by the air: the middle of its glow."""
+        return as_seen(self.tables, self.toward)
 
     @property
     def is_day(self) -> Array:
@@ -144,7 +154,7 @@ class PhysicalSky(AtmosphereSky):
 
     def light(self, views: Array, lit: Lit) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W)."""
-        between = cosines(self.toward, views)[2]
+        between = cosines(self.seen_sun, views)[2]
         total = self.higher_orders(views, lit)
         for part, strength in zip(self.atmosphere.constituents, self.once(views, lit), strict=True):
             total = total + strength * same(part.phase_law.value(between, lit.wavelengths), total)
@@ -152,7 +162,7 @@ class PhysicalSky(AtmosphereSky):
 
     def once(self, views: Array, lit: Lit) -> list[Array]:
         """What each constituent scatters once toward the ground, per phase function, (..., W)."""
-        rays = lit_rays(ColumnTables.of(self.atmosphere), *cosines(self.toward, views))
+        rays = lit_rays(self.tables, *cosines(self.toward, views))
         shares = [same(part.scattered(lit.wavelengths), self.toward) for part in self.atmosphere.constituents]
         return [found * share for found, share in zip(rays.strengths(lit.depths), shares, strict=True)]
 
@@ -177,7 +187,7 @@ class PhysicalSky(AtmosphereSky):
         once = [mixture(law, COARSE)[:, None, :] * one for law, one in zip(laws, self.once(views, lit), strict=True)]
         night = 0.0 if not self.is_day else 1.0
         series = series_of(np.concatenate(once), self.higher_orders(views, lit), self.colours() * night)
-        return HeldSky(sun, self, series)
+        return HeldSky(self.seen_sun, self, series)
 
 
 def require_taught(numbers: Optics) -> None:

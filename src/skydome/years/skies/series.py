@@ -192,9 +192,11 @@ def coordinates(weather: Weather, sky: PerezYear, cut: Patches) -> dict[str, Any
     def of_patch(values: np.ndarray, unit: str, text: str) -> tuple[str, np.ndarray, dict[str, str]]:
         return "patch", values, {"units": unit, "long_name": text}
 
+    length = (weather.end - weather.start).astype(np.float64) / 3600
     return {
         "time": ("time", weather.middle.astype("datetime64[ns]"), {"long_name": "middle of the interval, UTC"}),
         "local_time": ("time", weather.local.astype("datetime64[ns]"), {"long_name": LOCAL.format(weather.utc_offset)}),
+        "interval_hours": ("time", length, {"units": "h", "long_name": "length of the interval"}),
         "sun_time": ("time", sky.times.astype("datetime64[ns]"), {"long_name": "instant of the sun's place, UTC"}),
         "patch": ("patch", np.arange(cut.count, dtype=np.int32)),
         "patch_azimuth": of_patch(cut.azimuths / deg, "degree", "azimuth of the centre"),

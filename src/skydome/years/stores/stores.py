@@ -35,8 +35,9 @@ def write_dataset(data: "xarray.Dataset", path: str | os.PathLike[str], overwrit
     final = Path(path)
     if final.suffix.lower() == ".nc":
         required("h5netcdf", "year", "a year as .nc")
+        packed = {"luminance": {"zlib": True, "complevel": 1}} if "luminance" in data else {}
         # In memory first: on a full disk libhdf5 does not only fail, it takes the process with it.
-        content = data.to_netcdf(engine="h5netcdf", encoding={"luminance": {"zlib": True, "complevel": 1}})
+        content = data.to_netcdf(engine="h5netcdf", encoding=packed)
         with appearing(final) as beside:
             beside.write_bytes(content)
         return
