@@ -16,7 +16,7 @@ from skydome.maps.targets import TARGETS, target
 # camera/projection.h, envmap/projections.py), read from their sources.
 AXES = {
     "openexr": "+X +Z -X", "usd": "+X +Z -X", "mitsuba": "+X +Z -X", "skylibs": "-X -Z +X",
-    "three": "-Z +X +Z", "blender": "+Y +X -Y", "native": "+X -Y -X",
+    "three": "-Z +X +Z", "blender": "+Y +X -Y", "native": "+X -Y -X", "radiance": "+X -Y -X",
 }  # fmt: skip
 SPOT = direction(250 * deg, 30 * deg)
 COMPASS = {"north": (1.0, 0.1, 0.1), "east": (0.1, 1.0, 0.1), "south": (0.1, 0.1, 1.0), "west": (1.0, 1.0, 0.1)}

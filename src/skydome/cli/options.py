@@ -16,34 +16,6 @@ WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of sk
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
 
 
-def exposure_from(text: str) -> float:
-    """A factor per cd m-2, as it is or by a photographer's exposure value at ISO 100: 1 / (1.2 x 2^EV).
-
-    ValueError for anything else. Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.
-
-    >>> exposure_from("2.5e-5"), round(exposure_from("15EV") * 1e5, 3)
-    (2.5e-05, 2.543)
-    """
-    value = text.strip().lower()
-    try:
-        factor = 1 / (1.2 * 2.0 ** float(value[:-2])) if value.endswith("ev") else float(value)
-    except (ValueError, OverflowError):
-        raise ValueError(f"an exposure is a factor per cd m-2 such as 2.5e-5, or 15EV; got {text!r}") from None
-    if not 0 < factor < float("inf"):
-        raise ValueError(f"an exposure must be finite and more than 0, got {text}")
-    return factor
-
-
-Exposure = Annotated[
-    float | None,
-    Option(
-        parser=exposure_from,
-        metavar="NUMBER|EV",
-        help="Of a picture: a factor per cd m-2, or as 15EV. [default: by its content]",
-    ),
-]
-
-
 @dataclass(frozen=True)
 class SunOptions:
     """Where the sun stands: a place and a time, or its direction itself."""

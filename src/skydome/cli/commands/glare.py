@@ -7,7 +7,8 @@ from typer import Argument, Option
 
 from skydome.cli.commands.convert import From
 from skydome.cli.doors import progress, require_picture
-from skydome.cli.options import AsJson, Exposure, numbers
+from skydome.cli.map_file import Exposure
+from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
 from skydome.ground.extras import required
 

@@ -6,8 +6,9 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.doors import progress, require_picture
+from skydome.cli.map_file import Exposure
 from skydome.cli.moment import place_text
-from skydome.cli.options import AsJson, Exposure, LandOptions, numbers, taking
+from skydome.cli.options import AsJson, LandOptions, numbers, taking
 from skydome.cli.printing import labelled_rows, show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required

@@ -22,6 +22,10 @@ class SkyScene:
 
     RGB (1, 1, 1) of the map's file means `white` cd m-2. `exposure`, per cd m-2, shows it as a photograph would.
     `horizontal` is the illuminance of sky and sun on the level ground, lx; `about` says what sky it is.
+
+    >>> overcast = SkyScene("sky.exr", 1.0, SRGB, None, 2.5e-5, (12000.0, 0.0))
+    >>> overcast.lamp is None, sum(overcast.horizontal)
+    (True, 12000.0)
     """
 
     map_name: str
