@@ -61,6 +61,10 @@ class Rayleigh(PhaseLaw):
         """Chandrasekhar's generalised form, the same for all wavelengths."""
         return spread(rayleigh(floating(cosine), self.depolarisation), wavelengths)
 
+    def mean_cosine(self, wavelengths: Any) -> Array:
+        """None: as much goes forward as back."""
+        return np.zeros(np.size(wavelengths))
+
 
 @dataclass(frozen=True)
 class HenyeyGreenstein(PhaseLaw):
