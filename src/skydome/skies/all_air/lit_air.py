@@ -1,4 +1,4 @@
-"""An atmosphere at some wavelengths: the optical numbers that light in it depends on, whole or of some suns and airs."""
+"""An atmosphere at some wavelengths: the optical numbers that its light depends on, whole or of some suns and airs."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array, limited
-from skydome.ground.blocks import Block, part_of
+from skydome.skies.all_air.blocks import Block, part_of
 from skydome.skies.all_air.taught_air import TAUGHT, Optics, optics, same
 
 

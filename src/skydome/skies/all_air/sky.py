@@ -10,9 +10,9 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
-from skydome.ground.blocks import blocks, part_of
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.rest import Rest, cosine_of_turn

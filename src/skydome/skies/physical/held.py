@@ -15,7 +15,7 @@ from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import has_numba
-from skydome.ground.directions import checked_directions, direction
+from skydome.ground.directions import checked_directions, direction, zenith_angle
 from skydome.ground.interpolation import weights
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.spectrum import xyz_weights
@@ -23,6 +23,7 @@ from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
+from skydome.skies.physical.held_rows import HeldRows
 from skydome.skies.physical.nishita import lit_columns
 from skydome.skies.sky import SunlitSky
 
@@ -101,6 +102,17 @@ class HeldSky(SunlitSky, ColourSky):
         """The table made fine, for many directions."""
         return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.atmosphere, c))
 
+    @cached_property
+    def rows(self) -> HeldRows:
+        """The table for rows and columns."""
+        laws = [part.phase_law for part in self.atmosphere.constituents]
+        return HeldRows.of(float(zenith_angle(self.sun)), self.series, laws, [pivots(law) for law in laws])
+
+    @property
+    def on_level(self) -> np.ndarray:
+        """XYZ of the light on the horizontal, Y in lx, (3,)."""
+        return self.rows.on_level()
+
     def seen(self, views: np.ndarray) -> Array:
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
         cosine, relative, angle = geometry(views, np.asarray(self.sun))
@@ -118,8 +130,8 @@ def node_directions(sun: np.ndarray) -> np.ndarray:
 
 
 def node_cosines(sun: np.ndarray, terms: int = TERMS) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of the nodes, cosines of the view to the vertical (nodes, 1), of terms + 1 even azimuths from the sun (azimuths,),
-    and of the angle to the sun (nodes, azimuths).
+    """Cosines of the nodes' views to the vertical (nodes, 1), of terms + 1 even azimuths from the sun (azimuths,), and
+    of the angle to the sun (nodes, azimuths).
     """
     view, turn = np.asarray(view_nodes(TERMS))[:, None], np.cos(np.linspace(0, np.pi, terms + 1))
     level = np.sqrt(np.maximum((1 - view * view) * (1 - sun[2] * sun[2]), 0.0))
