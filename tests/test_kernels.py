@@ -55,6 +55,11 @@ KERNEL_PAIRS = (
         "skies/physical/test_held_fields.py::test_compiled",
     ),
     Pair(
+        "skies.physical.held_rows:HeldRows",
+        "skies.physical.held_rows_kernel:whole_map",
+        "dome/test_held_rows.py::test_compiled_rows",
+    ),
+    Pair(
         "skies.neural.network:Network",
         "skies.neural.kernel:shine",
         "skies/neural/test_network_kernel.py::test_directions",

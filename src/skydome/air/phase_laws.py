@@ -3,17 +3,37 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from hashlib import sha256
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
 
 CHUNK = 4096
+
+
+class ClosedForm(NamedTuple):
+    """A phase function that kernels and shaders can write down, sr-1, of the cosine c of the angle.
+
+    constant + square c^2 + the sum over lobes (a, b, g) of (a + b c^2) / (1 + g^2 - 2 g c)^1.5.
+    """
+
+    constant: float = 0.0
+    square: float = 0.0
+    lobes: tuple[tuple[float, float, float], ...] = ()
+
+    def value(self, away: Array) -> Array:
+        """The phase function of 1 - c (...,), which keeps its digits near the sun, sr-1, shape (...,)."""
+        squared = (1 - away) ** 2
+        total = self.constant + self.square * squared
+        for plain, with_square, g in self.lobes:
+            gap = (1 - g) ** 2 + 2 * g * away
+            total = total + (plain + with_square * squared) / (gap * namespace(gap).sqrt(gap))
+        return total
 
 
 class PhaseLaw(ABC):
@@ -25,6 +45,11 @@ class PhaseLaw(ABC):
     @abstractmethod
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
+
+    @property
+    def closed(self) -> ClosedForm | None:
+        """The law as a closed form, the same for all wavelengths; None for those known by tables or series."""
+        return None
 
     def mean_cosine(self, wavelengths: Any) -> Array:
         """The mean cosine of the scattering angle, (W,), or (..., W) where the law's numbers are arrays (...,)."""
@@ -60,6 +85,16 @@ class Rayleigh(PhaseLaw):
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Chandrasekhar's generalised form, the same for all wavelengths."""
         return spread(rayleigh(floating(cosine), self.depolarisation), wavelengths)
+
+    @property
+    def closed(self) -> ClosedForm:
+        """A constant and a square."""
+        level = float(rayleigh(np.asarray(0.0), self.depolarisation))
+        return ClosedForm(level, float(rayleigh(np.asarray(1.0), self.depolarisation)) - level)
+
+    def mean_cosine(self, wavelengths: Any) -> Array:
+        """None: as much goes forward as back."""
+        return np.zeros(np.size(wavelengths))
 
 
 @dataclass(frozen=True)
@@ -98,6 +133,14 @@ class HenyeyGreenstein(PhaseLaw):
         ]
         return spread(sum(lobes[1:], lobes[0]), wavelengths)
 
+    @property
+    def closed(self) -> ClosedForm | None:
+        """The lobes; None where an asymmetry is an array."""
+        if any(np.ndim(g) or not is_numpy(g) for g in self.asymmetries):
+            return None
+        each = [(float(part), float(g)) for part, g in zip(self.shares, self.asymmetries, strict=True)]
+        return ClosedForm(lobes=tuple((part * (1 - g * g) / (4 * np.pi), 0.0, g) for part, g in each))
+
     def mean_cosine(self, wavelengths: Any) -> Array:
         """The sum of the lobes' g."""
         means = [float(part) * floating(g) for g, part in zip(self.asymmetries, self.shares, strict=True)]
@@ -118,6 +161,13 @@ class CornetteShanks(PhaseLaw):
     def __post_init__(self) -> None:
         if not -1 < self.asymmetry < 1:
             raise ValueError(f"asymmetry must lie in (-1, 1), got {self.asymmetry}")
+
+    @property
+    def closed(self) -> ClosedForm:
+        """One lobe, with a square."""
+        g = float(self.asymmetry)
+        factor = 3 / (8 * np.pi) * (1 - g * g) / (2 + g * g)
+        return ClosedForm(lobes=((factor, factor, g),))
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The same for all wavelengths."""

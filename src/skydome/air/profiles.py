@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,8 +25,14 @@ class Profile(ABC):
     @property
     def mean_height(self) -> float:
         """Mean height of the column, m, up to 200 km."""
-        heights = np.linspace(0.0, 2e5, 4001)
-        return float(np.trapezoid(self.above(heights), heights))
+        return mean_height(self)
+
+
+@cache
+def mean_height(profile: Profile) -> float:
+    """Mean height of a profile's column, m, up to 200 km."""
+    heights = np.linspace(0.0, 2e5, 4001)
+    return float(np.trapezoid(profile.above(heights), heights))
 
 
 @dataclass(frozen=True)

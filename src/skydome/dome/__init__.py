@@ -5,8 +5,10 @@
 - sun_on_map     The sun's disc on the texels of a map, its energy and its place kept
 - ground_light   The ground of a map, a Lambertian plane under its sky
 - painting       The light of skies written into the pixels of a map, whole or some rows at a time
+- sources        Skies ready to be painted, each kind by its rows or direction by direction
 - sky_rows       Rows of an equirectangular map of one sky, each row's factors once
 - network_rows   Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
+- held_rows      Rows of an equirectangular map of a sky held in a table
 - integrals      Integrals of the dome: what light falls on a plane
 - patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
 - patch_means    The mean light of each patch of the sky, to a stated error: finer where the sky is steep

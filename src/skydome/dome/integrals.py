@@ -71,7 +71,7 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
     nodes, weights = projected(normals, normals)
     total: Array = 0.0
     for part in rest:
-        light = part.luminance(nodes)
+        light = part.for_maps.luminance(nodes)
         xp = namespace(light)
         total = total + light @ xp.astype(xp.matrix_transpose(weights), light.dtype)
     for disc, factor in discs:
@@ -134,19 +134,28 @@ def horizontal_xyz(sky: ColourSky) -> tuple[Array, Array]:
     """
     like = own_array(sky)
     zenith = ZENITH if like is None or is_numpy(like) else constant(ZENITH, like)
-    nodes, weights = projected(zenith, zenith)
     discs, rest = discs_and_rest(sky)
     diffuse, direct = zenith * 0.0, zenith * 0.0
     for part in rest:
         if not isinstance(part, ColourSky):
             raise TypeError(colourless(part))
-        light = part.xyz(nodes)
-        diffuse = diffuse + namespace(light).astype(weights, light.dtype) @ light
+        diffuse = diffuse + level_xyz(part, zenith)
     for disc, factor in discs:
         sun = floating(disc.sun)
         light = disc.normal_xyz * floating(factor, like=sun)[..., None] * at_least(sun[..., 2:], 0.0)
         direct = direct + (light[..., 0, :] if light.ndim > 1 else light)
     return diffuse, direct
+
+
+def level_xyz(sky: ColourSky, zenith: Array) -> Array:
+    """XYZ of the light of a sky on the horizontal, (..., 3), as it knows it itself or from its dome."""
+    inner, factor = sky.single
+    shown = inner.for_maps
+    if isinstance(shown, ColourSky) and (known := shown.on_level) is not None:
+        return known * factor
+    nodes, weights = projected(zenith, zenith)
+    light = sky.xyz(nodes)
+    return namespace(light).astype(weights, light.dtype) @ light
 
 
 def colourless(sky: Sky) -> str:

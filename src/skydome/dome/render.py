@@ -69,7 +69,7 @@ def render(
 def require_one_condition(sky: Sky) -> None:
     """ValueError unless the sky's parameters are single numbers."""
     like = own_array(sky)
-    shape = tuple(sky.luminance(ZENITH if like is None else constant(ZENITH, like)).shape)
+    shape = tuple(sky.for_maps.luminance(ZENITH if like is None else constant(ZENITH, like)).shape)
     if shape:
         raise ValueError(
             "a map shows one sky at a time: parameters must be single numbers, got shape "

@@ -32,6 +32,11 @@ class ColourSky(Sky):
         """The nine numbers that make the linear RGB, and its sun, as flat NumPy arrays; None for other skies."""
         return None
 
+    @property
+    def on_level(self) -> np.ndarray | None:
+        """XYZ of the light on the horizontal, Y in lx, (3,), where the sky knows it without its dome; else None."""
+        return None
+
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,): the Y of `xyz`."""
         return self.xyz(directions)[..., 1]

@@ -119,12 +119,16 @@ class Ranged:
         return {"model": type(self).__name__} | {item.name: plain(getattr(self, item.name)) for item in fields(self)}
 
 
+MOST_NUMBERS = 64
+"""Longer lists and arrays are told by their size alone."""
+
+
 def plain(value: Any) -> Any:
     """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
     if isinstance(value, Ranged):
         return value.parameters()
     if isinstance(value, tuple | list):
-        return [plain(item) for item in value]
+        return [plain(item) for item in value] if len(value) <= MOST_NUMBERS else f"{len(value)} numbers"
     if value is None or isinstance(value, str | int | float | bool):
         return value
     if isinstance(value, PathLike):
@@ -132,7 +136,8 @@ def plain(value: Any) -> Any:
     if is_dataclass(value):
         return {item.name: plain(getattr(value, item.name)) for item in fields(value)}
     array = as_numpy(value)
-    return array.tolist() if array.size <= 64 else f"array{array.shape}"
+    return array.tolist() if array.size <= MOST_NUMBERS else f"array{array.shape}"
+
 
 
 def parameters_text(parameters: dict[str, Any]) -> str:

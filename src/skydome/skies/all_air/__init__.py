@@ -1,9 +1,12 @@
 """One sky for all air: light scattered once exactly, the rest by small networks.
 
 - sky                 The physical sky, from noon to the end of twilight
+- lit_air             An atmosphere at some wavelengths, whole or of some suns and airs
 - taught_air          The optical numbers that the rest depends on, and the ranges that were taught
 - single_scattering   Light scattered once in round shells, in arrays of any library, with gradients
 - column_tables       Densities and columns of constituents as tables that any library looks up
+- spectral_nodes      Eleven wavelengths that stand for the spectrum in colours
+- blocks              Work on arrays that broadcast, some of it at a time
 - rest                What is scattered more than once, by networks over shapes of the dome
 - rest_files          Those networks in a file
 """

@@ -12,7 +12,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.bending import COSINES, HEIGHTS, REFRACTIVITY, Bending, bending, density_ratio
 from skydome.air.profiles import Profile
-from skydome.ground.arrays import Array, constant, limited, namespace, safe_sqrt
+from skydome.ground.arrays import Array, constant, is_concrete, limited, namespace, safe_sqrt
 
 LEVELS = 1024
 """Nodes of the densities in height."""
@@ -26,22 +26,19 @@ class ColumnTables:
 
     bent: Bending
     columns: np.ndarray
-    """In vertical columns, (heights, cosines, K), ..."""
+    """In vertical columns, (K, heights, cosines), ..."""
     level: np.ndarray
-    """... and of rays that are level where they are lowest, (heights, K)."""
+    """... and of rays that are level where they are lowest, (K, heights)."""
     densities: np.ndarray
-    """m-1 of a column of 1, (levels, K)."""
+    """m-1 of a column of 1, (K, levels)."""
 
     @classmethod
     def of(cls, air: Atmosphere, refractivity: float = REFRACTIVITY) -> "ColumnTables":
-        """The tables of an atmosphere's constituents; those of a profile are made once.
+        """The tables of an atmosphere's constituents, made once for their profiles.
 
         `refractivity`: of the air at the ground; 0 for straight rays.
         """
-        size = (air.radius, air.height, refractivity)
-        parts = [profile_tables(part.profile, *size) for part in air.constituents]
-        tables = (np.stack(rows, axis=-1) for rows in zip(*parts, strict=True))
-        return cls(bending(*size), *tables)
+        return tables_of(tuple(part.profile for part in air.constituents), air.radius, air.height, refractivity)
 
     @property
     def radius(self) -> float:
@@ -60,31 +57,36 @@ class ColumnTables:
 
     def density(self, heights: Array) -> Array:
         """Density of each constituent at heights (...,), m-1, shape (..., K)."""
-        return self.between(self.densities, self.row(heights, LEVELS))
+        return last(between(self.densities, self.row(heights, LEVELS)))
 
     def excess(self, heights: Array) -> Array:
         """Refractive index less 1 at heights (...,)."""
-        return self.refractivity * self.between(density_levels(self.height), self.row(heights, LEVELS))[..., 0]
+        return self.refractivity * between(density_levels(self.height), self.row(heights, LEVELS))[0]
 
     def seen(self, heights: Array, elevation: Array) -> tuple[Array, Array]:
-        """How high a sun at true elevations (...,) is seen from heights (...,), radians, and what is left of its light.
+        """How high a sun at true elevations (...,) is seen from heights, radians, and what is left of its light.
 
-        Nothing is left behind the ground; there the sun is seen on the horizon.
+        Nothing is left behind the ground; there the sun is seen on the horizon. Heights broadcast with elevations.
         """
         xp = namespace(heights, elevation)
         row = self.row(heights, HEIGHTS)
-        horizon = self.between(self.bent.horizon[:, None], row)[..., 0]
+        horizon = between(self.bent.horizon[None], row)[0]
         above = limited((elevation - horizon) / (np.pi / 2 - horizon), 0.0, 1.0)
-        both = self.among(np.stack([self.bent.lift, self.bent.share], axis=-1), row, safe_sqrt(above) * (COSINES - 1))
-        share = xp.where(elevation < horizon, xp.zeros_like(elevation), both[..., 1])
-        return elevation + both[..., 0], share
+        both = among(np.stack([self.bent.lift, self.bent.share]), row, safe_sqrt(above) * (COSINES - 1))
+        share = xp.where(elevation < horizon, xp.zeros_like(elevation), both[1])
+        return elevation + both[0], share
 
     def toward(self, heights: Array, sine: Array) -> Array:
-        """Columns from heights (...,) toward sines of apparent elevations (...,), (..., K), not below the horizon."""
+        """Columns from heights toward sines of apparent elevations (...,), (..., K), not below the horizon.
+
+        Heights broadcast with sines.
+        """
         xp = namespace(heights, sine)
-        rising = self.rising(heights, xp.abs(sine))
-        twice = 2 * self.between(self.level, self.lowest_place(heights, sine))
-        return xp.where((sine < 0)[..., None], limited(twice - rising, 0.0, BLOCKED), rising)
+        rising = among(self.columns, self.row(heights, HEIGHTS), self.line(xp.abs(sine)))
+        if is_concrete(sine) and not bool(xp.any(sine < 0)):
+            return last(rising)
+        twice = 2 * between(self.level, self.lowest_place(heights, sine))
+        return last(xp.where(sine < 0, limited(twice - rising, 0.0, BLOCKED), rising))
 
     def lowest_place(self, heights: Array, sine: Array) -> Array:
         """Place in `level` of where rays are level that pass heights (...,) at sines of apparent elevations (...,)."""
@@ -93,13 +95,9 @@ class ColumnTables:
         room = heights * (1 + excess) - self.radius * (self.refractivity - excess) - deeper
         return safe_sqrt(limited(room / self.bent.room, 0.0, 1.0)) * (HEIGHTS - 1)
 
-    def rising(self, heights: Array, cosine: Array) -> Array:
-        """Columns from heights (...,) toward cosines of 0 or more (...,), (..., K)."""
-        return self.among(self.columns, self.row(heights, HEIGHTS), self.line(cosine))
-
     def turned(self, heights: Array, cosine: Array) -> Array:
         """Angle by which rays from space have turned at heights (...,) toward cosines of 0 or more (...,), radians."""
-        return self.among(self.bent.turned[..., None], self.row(heights, HEIGHTS), self.line(cosine))[..., 0]
+        return among(self.bent.turned[None], self.row(heights, HEIGHTS), self.line(cosine))[0]
 
     def row(self, heights: Array, count: int) -> Array:
         """Place of heights (...,) among `count` nodes."""
@@ -109,25 +107,38 @@ class ColumnTables:
         """Place of cosines (...,) among `COSINES` nodes."""
         return safe_sqrt(limited(cosine, 0.0, 1.0)) * (COSINES - 1)
 
-    def between(self, table: np.ndarray, place: Array) -> Array:
-        """A table (count, K) at places (...,), (..., K)."""
-        xp = namespace(place)
-        first = whole_part(place, len(table))
-        share = (place - xp.astype(first, place.dtype))[..., None]
-        return taken(table, first, place) * (1 - share) + taken(table, first + 1, place) * share
 
-    def among(self, table: np.ndarray, row: Array, line: Array) -> Array:
-        """A table (count, lines, K) at places (...,) in both, (..., K)."""
-        xp = namespace(row, line)
-        count, lines = table.shape[:2]
-        flat = table.reshape(count * lines, -1)
-        at, first = whole_part(row, count), whole_part(line, lines)
-        up = (row - xp.astype(at, row.dtype))[..., None]
-        share = (line - xp.astype(first, line.dtype))[..., None]
-        index = at * lines + first
-        lower = taken(flat, index, row) * (1 - up) + taken(flat, index + lines, row) * up
-        upper = taken(flat, index + 1, row) * (1 - up) + taken(flat, index + lines + 1, row) * up
-        return lower * (1 - share) + upper * share
+@cache
+def tables_of(profiles: tuple[Profile, ...], radius: float, height: float, refractivity: float) -> ColumnTables:
+    """The tables of some profiles."""
+    parts = [profile_tables(profile, radius, height, refractivity) for profile in profiles]
+    return ColumnTables(bending(radius, height, refractivity), *(np.stack(rows) for rows in zip(*parts, strict=True)))
+
+
+def last(table: Array) -> Array:
+    """(K, ...) as (..., K)."""
+    return namespace(table).moveaxis(table, 0, -1)
+
+
+def between(table: np.ndarray, place: Array) -> Array:
+    """A table (K, count) at places (...,), (K, ...)."""
+    xp = namespace(place)
+    first = whole_part(place, table.shape[1])
+    low, high = taken(table, first, place), taken(table, first + 1, place)
+    return low + (high - low) * (place - xp.astype(first, place.dtype))
+
+
+def among(table: np.ndarray, row: Array, line: Array) -> Array:
+    """A table (K, count, lines) at places in both, which broadcast to (...,): (K, ...)."""
+    xp = namespace(row, line)
+    _, count, lines = table.shape
+    flat = table.reshape(len(table), -1)
+    at, first = whole_part(row, count), whole_part(line, lines)
+    up, share = row - xp.astype(at, row.dtype), line - xp.astype(first, line.dtype)
+    index = at * lines + first
+    lower = taken(flat, index, line) * (1 - up) + taken(flat, index + lines, line) * up
+    upper = taken(flat, index + 1, line) * (1 - up) + taken(flat, index + lines + 1, line) * up
+    return lower + (upper - lower) * share
 
 
 def whole_part(place: Array, count: int) -> Array:
@@ -137,15 +148,16 @@ def whole_part(place: Array, count: int) -> Array:
 
 
 def taken(table: np.ndarray, index: Array, like: Array) -> Array:
-    """Rows (..., K) of a table (N, K) by index (...,)."""
+    """Columns (K, ...) of a table (K, N) by index (...,)."""
     xp = namespace(like)
-    return xp.take(constant(table, like), index.reshape(-1), axis=0).reshape(*index.shape, table.shape[1])
+    found = xp.take(constant(table, like), xp.reshape(index, (-1,)), axis=1)
+    return xp.reshape(found, (len(table), *index.shape))
 
 
 @cache
 def density_levels(height: float) -> np.ndarray:
-    """Density over that at the ground at the densities' nodes, (levels, 1)."""
-    return density_ratio(height * np.linspace(0, 1, LEVELS) ** 2)[:, None]
+    """Density over that at the ground at the densities' nodes, (1, levels)."""
+    return density_ratio(height * np.linspace(0, 1, LEVELS) ** 2)[None]
 
 
 @cache

@@ -6,11 +6,12 @@ network's, from the optical numbers of the air and the sun's height. One pair of
 another the twilight; between 0 and 2 degrees their logarithms are mixed.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.arrays import Array, constant, is_concrete, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.interpolation import lagrange
 from skydome.skies.all_air.taught_air import Optics
 from skydome.skies.physical.cosine_series import LEAST_COSINE
@@ -87,10 +88,22 @@ class RestNetwork:
                 found = found / (1 + xp.exp(limited(-found, -60.0, 60.0)))
         return xp.concat([xp.broadcast_to(mean, (*found.shape[:-1], mean.shape[-1])), found], axis=-1)
 
-    def at(self, taps: Array) -> Array:
-        """Value of each shape, (..., S), where `taps` (..., nodes x terms) tell the direction."""
-        flat = self.shapes.reshape(len(self.shapes), -1)
-        return taps @ constant(flat.T, taps)
+    def at(self, view: Array, turn: Array) -> Array:
+        """Value of each shape, (..., S), toward a view of cosine `view` to the vertical, `turn` that of its azimuth.
+
+        They broadcast: what depends on the height alone is made once for each height.
+        """
+        xp = namespace(view, turn)
+        count, nodes, terms = self.shapes.shape
+        flat = self.shapes.transpose(1, 2, 0).reshape(nodes, -1)
+        risen = elevation_hats(view, nodes) @ constant(flat, view)
+        risen = xp.reshape(risen, (*view.shape, terms, count))
+        return xp.matmul(cosine_series(turn, terms)[..., None, :], risen)[..., 0, :]
+
+    def at_nodes(self, turns: np.ndarray) -> np.ndarray:
+        """Value of each shape, (nodes, turns, S), at the nodes of the height and cosines of the azimuth (turns,)."""
+        waves = cosine_series(turns, self.shapes.shape[2])
+        return np.ascontiguousarray(np.moveaxis(self.shapes @ waves.T, 0, -1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,21 +113,29 @@ class Rest:
     day: RestNetwork
     twilight: RestNetwork
 
-    def radiance(self, air: Optics, view: Array, sun: Array, turn: Array) -> Array:
+    def radiance(self, air: Optics, sun: Array, shapes: Callable[[RestNetwork], Array]) -> Array:
         """Radiance of the rest for a sun of irradiance 1, sr-1, (..., W).
 
-        `air` (..., W); cosine of the view to the vertical and of the azimuth from the sun (...,); `sun` the sine of its
-        elevation, of the shape of the air.
+        `air` (..., W); `sun` (...,) the sine of its elevation; `shapes`: the values (..., S) of a network's shapes.
         """
-        xp = namespace(view, sun, *air)
-        inputs = features(air, sun)
-        taps = dome_taps(view, turn, *self.day.shapes.shape[1:])
-        logs = [
-            xp.matmul(network.coefficients(inputs, sun), network.at(taps)[..., None])[..., 0]
-            for network in (self.twilight, self.day)
-        ]
-        share = day_share(sun)[..., None]
-        return xp.exp(logs[0] + (logs[1] - logs[0]) * share)
+        xp = namespace(sun, *air)
+        inputs, share = features(air, sun), day_share(sun)
+        if is_concrete(share) and bool(xp.all((share == share.reshape(-1)[0]) & ((share == 0) | (share == 1)))):
+            network = self.day if bool(xp.all(share == 1)) else self.twilight
+            return xp.exp(mixed(network.coefficients(inputs, sun), shapes(network)))
+        day, dusk = (mixed(each.coefficients(inputs, sun), shapes(each)) for each in (self.day, self.twilight))
+        return xp.exp(dusk + (day - dusk) * share[..., None])
+
+
+def mixed(coefficients: Array, shapes: Array) -> Array:
+    """Sums (..., W) of shapes (..., S) by coefficients (..., W, S): at once for all views of one air under one sun."""
+    xp = namespace(coefficients, shapes)
+    turned = xp.matrix_transpose(coefficients)
+    if turned.ndim == 2:
+        return shapes @ turned
+    if shapes.ndim > 1 and turned.shape[-3] == 1:
+        return xp.matmul(shapes, turned[..., 0, :, :])
+    return xp.matmul(shapes[..., None, :], turned)[..., 0, :]
 
 
 def day_share(sine: Array) -> Array:
@@ -122,17 +143,6 @@ def day_share(sine: Array) -> Array:
     low, high = (float(np.sin(np.radians(edge))) for edge in MIXED)
     x = limited((sine - low) / (high - low), 0.0, 1.0)
     return x * x * (3 - 2 * x)
-
-
-def dome_taps(view: Array, turn: Array, nodes: int, terms: int) -> Array:
-    """Weights (..., nodes x terms) of a direction on cubics over the view's nodes times cosines of the azimuth.
-
-    `view`: cosine to the vertical; `turn`: cosine of the azimuth from the sun; both (...,).
-    """
-    xp = namespace(view, turn)
-    hats, waves = elevation_hats(view, nodes), cosine_series(turn, terms)
-    both = hats[..., :, None] * waves[..., None, :]
-    return xp.reshape(both, (*both.shape[:-2], nodes * terms))
 
 
 def elevation_hats(view: Array, nodes: int) -> Array:

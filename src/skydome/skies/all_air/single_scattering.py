@@ -6,12 +6,11 @@ and the sunlight (`air.bending`): a view is looked along as it is seen, the sun 
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from skydome.air.rays import running_integral
-from skydome.ground.arrays import Array, at_least, constant, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.arrays import Array, at_least, constant, is_concrete, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.all_air.column_tables import ColumnTables
 
@@ -23,7 +22,10 @@ FIRST = 0.006
 
 @dataclass(frozen=True, eq=False)
 class LitRay:
-    """What lies on rays: step, density and column of each constituent on the way sun - air - ground."""
+    """What lies on rays: step, density and column of each constituent on the way sun - air - ground.
+
+    By day step and density are those of the view alone and have its axes; the column has those of view and sun.
+    """
 
     step: Array
     """Length that each node stands for, m, (..., S)."""
@@ -38,44 +40,55 @@ class LitRay:
         `depths`: optical depths (..., W), one a constituent; the sun's irradiance is 1. Shape (..., W) each.
         """
         xp = namespace(self.step, *depths)
-        found: list[Any] = [0.0] * len(depths)
-        for node in range(self.step.shape[-1]):
-            column, density = self.column[..., node, :], self.density[..., node, :] * self.step[..., node, None]
-            through = xp.exp(-sum(column[..., k, None] * depth for k, depth in enumerate(depths)))
-            found = [total + density[..., k, None] * through for k, total in enumerate(found)]
-        return [total * depth for total, depth in zip(found, depths, strict=True)]
+        stacked = xp.stack(list(xp.broadcast_arrays(*depths)), axis=-2)  # (..., K, W)
+        through = xp.exp(-rows_times(self.column, stacked))
+        found = xp.matmul(xp.matrix_transpose(self.density * self.step[..., None]), through) * stacked
+        return [found[..., k, :] for k in range(len(depths))]
+
+
+def rows_times(rows: Array, matrix: Array) -> Array:
+    """Rows (..., S, K) times matrices (..., K, W), (..., S, W): at once where there is one matrix."""
+    xp = namespace(rows, matrix)
+    if matrix.ndim > 2:
+        return xp.matmul(rows, matrix)
+    flat = xp.reshape(rows, (-1, rows.shape[-1])) @ matrix
+    return xp.reshape(flat, (*rows.shape[:-1], matrix.shape[-1]))
 
 
 def lit_rays(tables: ColumnTables, view: Array, sun: Array, between: Array) -> LitRay:
-    """Rays from the ground with cosines `view` to the vertical, `sun` the sun's and `between` the two, each (...,)."""
+    """Rays from the ground with cosines `view` to the vertical, `sun` the sun's and `between` the two.
+
+    They broadcast to (...,); by day what depends on the view alone is made once for each view.
+    """
     xp = namespace(view, sun, between)
-    view, sun, between = xp.broadcast_arrays(view, sun, between)
     view = at_least(view, 0.0)
-    shadow = shadow_length(tables, view, sun, between)
-    end = rise(tables, view, tables.height)
-    shadow = limited(shadow, 0.0, float("inf"))
-    shadow = xp.where(shadow < end, shadow, end * (1 - 1e-9))
-    start = limited(rise(tables, view, FIRST * tables.height), 0.0, 0.01 * tables.height)
-    _, _, shaded = sampled(tables, view, xp.zeros_like(shadow), shadow, start, SHADED)
-    heights, step, flow = sampled(tables, view, shadow, end, start, NODES)
+    end, first = rise(tables, view, tables.height), rise(tables, view, FIRST * tables.height)
+    start = limited(first, 0.0, 0.01 * tables.height)
+    if is_concrete(sun) and bool(xp.all(sun >= 0)):
+        shadow, shaded = xp.zeros_like(view), 0.0
+    else:
+        shadow = limited(shadow_length(tables, view, sun, between), 0.0, float("inf"))
+        shadow = xp.where(shadow < end, shadow, end * (1 - 1e-9))
+        heights, step, _ = sampled(tables, view, xp.zeros_like(shadow), shadow, start, SHADED)
+        shaded = xp.matmul(step[..., None, :], tables.density(heights))
+    heights, step, local = sampled(tables, view, shadow, end, start, NODES)
     density = tables.density(heights)
-    sums = xp.matmul(constant(running_integral(NODES), view), density * flow[..., None])
-    seen, left = tables.seen(heights, sun_over(tables, view, sun, between, heights))
-    column = tables.toward(heights, xp.sin(seen)) + sums + shaded[..., None, :]
-    return LitRay(step * left, density, column)
+    sums = xp.matmul(constant(running_integral(NODES) / gauss_legendre(NODES)[1], view), density * step[..., None])
+    seen, left = tables.seen(heights, sun_over(tables, view, sun, between, heights, local))
+    return LitRay(step * left, density, tables.toward(heights, xp.sin(seen)) + (sums + shaded))
 
 
-def sun_over(tables: ColumnTables, view: Array, sun: Array, between: Array, heights: Array) -> Array:
+def sun_over(tables: ColumnTables, view: Array, sun: Array, between: Array, heights: Array, local: Array) -> Array:
     """True elevation of the sun where a bent view has risen to heights (..., S), radians, same shape.
 
-    A view that turns by an angle along the way is where the sum of its turns and its angle to the vertical has gone.
+    `local`: the view's cosines to the vertical there (..., S). A view that turns by an angle along the way is where
+    the sum of its turns and its angle to the vertical has gone.
     """
     xp = namespace(view)
     level = safe_sqrt(1 - view * view)
-    local = along(tables, view, heights)[1]
     turn = tables.turned(xp.zeros_like(view), view)[..., None] - tables.turned(heights, local)
     arc = xp.atan2(level, view)[..., None] + turn - xp.atan2(safe_sqrt(1 - local * local), local)
-    flat = safe_divide(between - view * sun, level)
+    flat = safe_divide(between - view * sun, level + xp.zeros_like(between))
     sine = limited(xp.cos(arc) * sun[..., None] + xp.sin(arc) * flat[..., None], -1.0, 1.0)
     return xp.atan2(sine, safe_sqrt(1 - sine * sine))
 
@@ -100,7 +113,7 @@ def height_cosine(tables: ColumnTables, view: Array, heights: Array) -> Array:
 def sampled(
     tables: ColumnTables, view: Array, begin: Array, end: Array, start: Array, count: int
 ) -> tuple[Array, Array, Array]:
-    """Heights and steps (..., S) between begin and end; and the whole column (..., K), or the rate for `NODES`.
+    """Heights of nodes between begin and end, the steps that they stand for, and the bent ray's cosines: (..., S).
 
     The nodes crowd at the beginning: even over about `start`, then each further by a constant factor. They lie at the
     heights of a straight ray; the bent one is as much longer between two as it is flatter there.
@@ -111,10 +124,7 @@ def sampled(
     grown = xp.exp(power * t)
     heights = height_at(tables, view, begin[..., None] + start[..., None] * (grown - 1))
     straight, bent = along(tables, view, heights)
-    rate = start[..., None] * power * grown * safe_divide(straight, bent)
-    if count == NODES:
-        return heights, rate * w, rate
-    return heights, rate * w, xp.sum(tables.density(heights) * (rate * w)[..., None], axis=-2)
+    return heights, start[..., None] * power * grown * w * safe_divide(straight, bent), bent
 
 
 def height_at(tables: ColumnTables, view: Array, distance: Array) -> Array:
@@ -164,8 +174,7 @@ def as_seen(tables: ColumnTables, sun: Array) -> Array:
 
 
 def cosines(sun: Array, directions: Array) -> tuple[Array, Array, Array]:
-    """Cosine of views and of the sun to the vertical, and of the angle between them, each of the broadcast shape."""
+    """Cosine of views and of the sun to the vertical, and of the angle between them; they broadcast."""
     xp = namespace(sun, directions)
     between = limited(xp.sum(sun * directions, axis=-1), -1.0, 1.0)
-    view, height, between = xp.broadcast_arrays(directions[..., 2], sun[..., 2], between)
-    return view, height, between
+    return directions[..., 2], sun[..., 2], between

@@ -3,41 +3,36 @@
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from os import PathLike
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, limited, namespace
+from skydome.air.phase_laws import PhaseLaw
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.directions import checked_directions
-from skydome.ground.interpolation import lagrange_about
-from skydome.light.spectrum import checked_wavelengths, xyz_weights
+from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines, lit_rays
+from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
 from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
-from skydome.skies.physical.held import HeldSky, mixture, node_directions, series_of
+from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.sky import Sky
 from skydome.skies.validity import Range, inside
 
 LOWEST = float(np.sin(np.radians(-18.0)))
 """Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
 WAVELENGTHS = Range(300.0, 1100.0, "nm")
-COARSE = np.arange(380.0, 781.0, 20.0)
-"""Wavelengths, nm, between which the air's part of the spectrum is cubic when colours are integrated."""
-BLOCK = 4096
-"""Views at a time."""
-
-
-class Lit(NamedTuple):
-    """What a sky needs at wavelengths: optical numbers for the rest, depths of the constituents, each (..., W)."""
-
-    wavelengths: np.ndarray
-    numbers: Optics
-    depths: list[Array]
+SMOOTH = 8
+"""Terms in the azimuth that tell the light scattered once, without its phase functions."""
+BLOCK = 1024
+"""Views at a time, of all suns together."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,14 +59,14 @@ class PhysicalSky(AtmosphereSky):
         super().__post_init__()
         require_earth(self.atmosphere)
         if self.check == "raise":
-            self.at(SpectralSky.bands)
+            require_taught(optics(self.atmosphere, SpectralSky.bands, self.toward))
 
     @cached_property
     def rest(self) -> Rest:
         """The networks of the light scattered more than once."""
         return shipped_rest() if self.networks is None else load_rest(self.networks)
 
-    @property
+    @cached_property
     def toward(self) -> Array:
         """The sun in the library that the sky computes in: its own, or the air's where the sun is NumPy's."""
         sun = floating(self.sun)
@@ -101,14 +96,12 @@ class PhysicalSky(AtmosphereSky):
         taught = [xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items()]
         return reduce(lambda a, b: a & b, taught) & self.is_day
 
-    def at(self, wavelengths: np.ndarray) -> Lit:
+    def at(self, wavelengths: np.ndarray) -> LitAir:
         """The air at wavelengths (W,); ValueError in one line where `check` is "raise" and the air was not taught."""
-        sun = self.toward
-        numbers = optics(self.atmosphere, wavelengths, sun)
+        numbers = optics(self.atmosphere, wavelengths, self.toward)
         if self.check == "raise":
             require_taught(numbers)
-        held = Optics(*(limited(v, *TAUGHT[name][:2]) for name, v in numbers._asdict().items()))
-        return Lit(wavelengths, held, [same(part.depth(wavelengths), sun) for part in self.atmosphere.constituents])
+        return LitAir.of(self.atmosphere, wavelengths, self.toward, numbers)
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon.
@@ -119,58 +112,58 @@ class PhysicalSky(AtmosphereSky):
         if w[0] < WAVELENGTHS.low or w[-1] > WAVELENGTHS.high:
             raise ValueError(f"wavelengths must lie in {WAVELENGTHS}, got {w[0]:g} to {w[-1]:g}")
         views = self.views(directions)
-        light = self.in_blocks(views, self.at(w)) * constant(self.atmosphere.sun_at(w), self.toward)
+        light = self.in_blocks(views, self.at(w), self.atmosphere.sun_at(w))
         return self.blanked(light, views)
 
     def xyz(self, directions: Array) -> Array:
-        """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3): the air's part of the spectrum is cubic
-        between wavelengths 20 nm apart, the sun's is linear between `bands`.
+        """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3): the air's part of the spectrum follows
+        from eleven wavelengths (`spectral_nodes`), the sun's is linear between `bands`.
         """
         views = self.views(directions)
-        light = self.in_blocks(views, self.at(COARSE)) @ constant(self.colours(), self.toward)
-        return self.blanked(light, views)
+        return self.blanked(self.in_blocks(views, self.at(NODES), self.colours()), views)
 
     def views(self, directions: Array) -> Array:
         """The directions (..., 3), checked, in the sky's library."""
         return checked_directions(same(floating(directions), self.toward))
 
     def colours(self) -> np.ndarray:
-        """CIE XYZ of light at `COARSE` for a sun of irradiance 1, under the true sun, (W, 3)."""
-        fine = SpectralSky.bands
-        nodes, weights = lagrange_about(len(COARSE), (fine - COARSE[0]) / (COARSE[-1] - COARSE[0]))
-        between = np.zeros((len(fine), len(COARSE)))
-        np.put_along_axis(between, nodes, weights, axis=1)
-        result: np.ndarray = (between.T * self.atmosphere.sun_at(fine)) @ xyz_weights(fine)
+        """CIE XYZ of light at `NODES` for a sun of irradiance 1, under the true sun, (W, 3)."""
+        sun = self.atmosphere.sun_at(SpectralSky.bands)
+        result: np.ndarray = bands_from_nodes().T @ (sun[:, None] * xyz_of_bands())
         return result
 
-    def in_blocks(self, views: Array, lit: Lit) -> Array:
-        """Light for a sun of irradiance 1, (..., W): of many views under one sun, some at a time."""
-        one = self.toward.ndim == 1 and all(depth.ndim == 1 for depth in lit.depths)
-        if not (one and isinstance(views, np.ndarray) and views.size > 3 * BLOCK):
-            return self.light(views, lit)
-        flat = views.reshape(-1, 3)
-        parts = [self.light(flat[k : k + BLOCK], lit) for k in range(0, len(flat), BLOCK)]
-        return np.concatenate(parts).reshape(*views.shape[:-1], -1)
+    def in_blocks(self, views: Array, lit: LitAir, factors: np.ndarray) -> Array:
+        """Light (..., W) times factors (W,) or (W, C): in NumPy some directions of some suns at a time."""
+        sun = self.toward
+        if not is_numpy(sun) or any(np.ndim(law.mean_cosine(NODES[:1])) > 1 for law in self.laws):
+            return times(self.light(sun, views, lit), factors)
+        shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
+        light = np.zeros((*shape, factors.shape[-1]))
+        for block in blocks(shape, BLOCK):
+            here = part_of(sun, block)
+            if (here[..., 2] > LOWEST).any():
+                light[block] = times(self.light(here, part_of(views, block), lit.part(block)), factors)
+        return light
 
-    def light(self, views: Array, lit: Lit) -> Array:
+    @property
+    def laws(self) -> list[PhaseLaw]:
+        """The constituents' phase laws."""
+        return [part.phase_law for part in self.atmosphere.constituents]
+
+    def light(self, sun: Array, views: Array, lit: LitAir) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W)."""
-        between = cosines(self.seen_sun, views)[2]
-        total = self.higher_orders(views, lit)
-        for part, strength in zip(self.atmosphere.constituents, self.once(views, lit), strict=True):
-            total = total + strength * same(part.phase_law.value(between, lit.wavelengths), total)
+        view, height, between = cosines(sun, views)
+        turn = cosine_of_turn(sun, views)
+        total = self.rest.radiance(lit.numbers, height, lambda network: network.at(view, turn))
+        glow = cosines(as_seen(self.tables, sun), views)[2]
+        for law, strength in zip(self.laws, self.once(lit, view, height, between), strict=True):
+            total = total + strength * same(law.value(glow, lit.wavelengths), total)
         return total
 
-    def once(self, views: Array, lit: Lit) -> list[Array]:
-        """What each constituent scatters once toward the ground, per phase function, (..., W)."""
-        rays = lit_rays(self.tables, *cosines(self.toward, views))
-        shares = [same(part.scattered(lit.wavelengths), self.toward) for part in self.atmosphere.constituents]
-        return [found * share for found, share in zip(rays.strengths(lit.depths), shares, strict=True)]
-
-    def higher_orders(self, views: Array, lit: Lit) -> Array:
-        """The rest of the light for a sun of irradiance 1, sr-1, (..., W)."""
-        sun = self.toward
-        view, _, _ = cosines(sun, views)
-        return self.rest.radiance(lit.numbers, view, sun[..., 2], cosine_of_turn(sun, views))
+    def once(self, lit: LitAir, view: Array, height: Array, between: Array) -> list[Array]:
+        """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
+        found = lit_rays(self.tables, view, height, between).strengths(lit.depths)
+        return [strength * share for strength, share in zip(found, lit.shares, strict=True)]
 
     @cached_property
     def for_maps(self) -> Sky:
@@ -182,12 +175,20 @@ class PhysicalSky(AtmosphereSky):
         sun = np.asarray(self.sun, dtype=np.float64)
         if sun.shape != (3,):
             raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
-        views, lit = node_directions(sun), self.at(COARSE)
-        laws = [part.phase_law for part in self.atmosphere.constituents]
-        once = [mixture(law, COARSE)[:, None, :] * one for law, one in zip(laws, self.once(views, lit), strict=True)]
-        night = 0.0 if not self.is_day else 1.0
-        series = series_of(np.concatenate(once), self.higher_orders(views, lit), self.colours() * night)
-        return HeldSky(self.seen_sun, self, series)
+        view, _, between = (part.astype(np.float32) for part in node_cosines(sun, SMOOTH))
+        turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
+        lit, height = self.at(NODES).single(), np.float32(sun[2])
+        strengths = self.once(lit, view, height, between)
+        shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
+        rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
+        colours = self.colours() * float(self.is_day)
+        series = [series_of(np.concatenate(shapes) @ colours), series_of(rest[None] @ colours)]
+        return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))
+
+
+def times(light: Array, factors: np.ndarray) -> Array:
+    """Light (..., W) times factors (W,), or summed by factors (W, C)."""
+    return light * constant(factors, light) if factors.ndim == 1 else light @ constant(factors, light)
 
 
 def require_taught(numbers: Optics) -> None:

@@ -10,5 +10,7 @@
 - held_tracing        A traced sky held in a table
 - held_fields         A held sky's table made fine, for many directions
 - held_kernel         The same compiled
+- held_rows           A held sky on rows and columns: maps, and the light on the horizontal
+- held_rows_kernel    The same compiled
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
 """

@@ -15,7 +15,7 @@ from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import has_numba
-from skydome.ground.directions import checked_directions, direction
+from skydome.ground.directions import checked_directions, direction, zenith_angle
 from skydome.ground.interpolation import weights
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.spectrum import xyz_weights
@@ -23,6 +23,7 @@ from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
+from skydome.skies.physical.held_rows import HeldRows
 from skydome.skies.physical.nishita import lit_columns
 from skydome.skies.sky import SunlitSky
 
@@ -101,6 +102,17 @@ class HeldSky(SunlitSky, ColourSky):
         """The table made fine, for many directions."""
         return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.atmosphere, c))
 
+    @cached_property
+    def rows(self) -> HeldRows:
+        """The table for rows and columns."""
+        laws = [part.phase_law for part in self.atmosphere.constituents]
+        return HeldRows.of(float(zenith_angle(self.sun)), self.series, laws, [pivots(law) for law in laws])
+
+    @property
+    def on_level(self) -> np.ndarray:
+        """XYZ of the light on the horizontal, Y in lx, (3,)."""
+        return self.rows.on_level()
+
     def seen(self, views: np.ndarray) -> Array:
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
         cosine, relative, angle = geometry(views, np.asarray(self.sun))
@@ -115,6 +127,15 @@ def node_directions(sun: np.ndarray) -> np.ndarray:
     cosines, azimuths = view_nodes(TERMS), np.linspace(0, np.pi, TERMS + 1)
     mu, relative = (v.ravel() for v in np.meshgrid(cosines, azimuths, indexing="ij"))
     return np.asarray(direction(np.arctan2(sun[0], sun[1]) + relative, np.arcsin(mu)))
+
+
+def node_cosines(sun: np.ndarray, terms: int = TERMS) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Cosines of the nodes' views to the vertical (nodes, 1), of terms + 1 even azimuths from the sun (azimuths,), and
+    of the angle to the sun (nodes, azimuths).
+    """
+    view, turn = np.asarray(view_nodes(TERMS))[:, None], np.cos(np.linspace(0, np.pi, terms + 1))
+    level = np.sqrt(np.maximum((1 - view * view) * (1 - sun[2] * sun[2]), 0.0))
+    return view, turn, view * sun[2] + level * turn
 
 
 def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray | None = None) -> HeldSky:
@@ -135,15 +156,17 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     whole = (sky.radiance(views, w) if light is None else light) / air.sun_at(w)
     once = strengths(air, views, sun, w)
     rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
-    return HeldSky(sun, sky, series_of(once, rest, colours_of(air, w)))
+    fields = np.concatenate([once, rest[None]]) @ colours_of(air, w)
+    return HeldSky(sun, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
 
 
-def series_of(once: np.ndarray, rest: np.ndarray, colours: np.ndarray) -> np.ndarray:
-    """A held sky's series from the shapes' strengths (shapes, D, W) and the rest (D, W) at `node_directions`."""
-    fields = np.moveaxis(np.concatenate([once, rest[None]]), 0, 1) @ colours  # (D, shapes + 1, 3)
-    grid = fields.reshape(-1, TERMS + 1, *fields.shape[1:])
-    grid[-1] = grid[-1].mean(axis=0)  # at the zenith all azimuths are one
-    return np.asarray(np.einsum("mp,np...->nm...", cosine_transform(TERMS), grid))
+def series_of(fields: np.ndarray) -> np.ndarray:
+    """Coefficients (nodes, TERMS + 1, fields, 3) of fields (fields, nodes, azimuths, 3), 0 beyond those azimuths."""
+    fields[:, -1] = fields[:, -1].mean(axis=1, keepdims=True)  # at the zenith all azimuths are one
+    count = fields.shape[2]
+    series = np.zeros((fields.shape[1], TERMS + 1, len(fields), 3))
+    series[:, :count] = np.moveaxis(np.tensordot(cosine_transform(count - 1), fields, axes=(1, 2)), 2, 0)
+    return series
 
 
 def colours_of(air: Atmosphere, wavelengths: np.ndarray) -> np.ndarray:
@@ -167,6 +190,8 @@ def pivots(law: PhaseLaw) -> np.ndarray:
 
 def mixture(law: PhaseLaw, wavelengths: np.ndarray) -> np.ndarray:
     """How much of each kept phase function makes up that of wavelengths (W,), (shapes, W): least squares, relative."""
+    if law.wavelengths_alike:
+        return np.ones((1, len(wavelengths)))
     c = np.cos(np.linspace(0, np.pi, 721))
     wanted, kept = law.value(c, wavelengths), law.value(c, pivots(law))
     scale = 1 / kept.mean(axis=1, keepdims=True)
