@@ -39,7 +39,9 @@ def picture():
         skies = {"Hosek-Wilkie": sky}
         skies |= {kind: sd.SkyBasis.fit(sky, kind, order) for kind, order in DRAWN.items()}
         for axis, (name, each) in zip(row, skies.items(), strict=True):
-            drawn = axis.imshow(np.clip(shown(each), norm.vmin, norm.vmax), norm=norm, cmap="viridis", interpolation="nearest")
+            drawn = axis.imshow(
+                np.clip(shown(each), norm.vmin, norm.vmax), norm=norm, cmap="viridis", interpolation="nearest"
+            )
             basis = getattr(each, "basis", None)
             told = "" if basis is None else f"\n{basis.count} numbers, rms {100 * each.errors(sky).rms:.0f} %"
             axis.set_title(f"{name}{told}" if told else f"{name}\nsun at {elevation:g}°", fontsize=9)

@@ -139,7 +139,6 @@ def plain(value: Any) -> Any:
     return array.tolist() if array.size <= MOST_NUMBERS else f"array{array.shape}"
 
 
-
 def parameters_text(parameters: dict[str, Any]) -> str:
     """A sky's parameters in one line, the sun's direction left out; sums as their members."""
     if "members" in parameters:
