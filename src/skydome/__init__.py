@@ -35,7 +35,7 @@ HOME = {
     "skies.perez_all_weather": "PerezAllWeather",
     "skies.preetham": "Preetham",
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
-    "skies.daylight_sky": "Daylight",
+    "skies.daylight_sky": "Daylight ColourByLuminance ColourOf",
     "skies.suns.sun_disc": "SunDisc",
     "skies.suns.preetham_sun": "PreethamSun",
     "skies.suns.atmosphere_sun": "AtmosphereSun",

@@ -84,6 +84,8 @@ from skydome.skies.cie import CIEClear as CIEClear
 from skydome.skies.cie import CIEIntermediate as CIEIntermediate
 from skydome.skies.colour_sky import ColourSky as ColourSky
 from skydome.skies.colour_sky import SpectralSky as SpectralSky
+from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance
+from skydome.skies.daylight_sky import ColourOf as ColourOf
 from skydome.skies.daylight_sky import Daylight as Daylight
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance

@@ -174,3 +174,16 @@ def test_colours_beyond_every_black_body_are_null(facts, call, when):
     told = facts("light", *when, *sky)
     assert told["colour_temperature_K"]["zenith"] is None
     assert "bluer than any black body" in call("light", *when, *sky).stdout
+
+
+def test_colour_by_a_named_rule(facts, refused):
+    asked = ("light", "--sun", "180,30", "--model", "cie-12")
+    plain = facts(*asked)
+    for rule in ("luminance", "preetham"):
+        told = facts(*asked, "--colour", rule)
+        assert told["zenith_luminance_cd_m2"] == pytest.approx(plain["zenith_luminance_cd_m2"])
+        assert told["colour_temperature_K"]["diffuse"] > 8000
+        assert any(note.startswith("colour: ") for note in told["notes"])
+    assert "knows its own colour" in refused("light", "--sun", "180,30", "--model", "preetham", "--colour", "luminance")
+    assert "a model that knows colour" in refused(*asked, "--colour", "uniform")
+    assert "one of them" in refused(*asked, "--colour", "luminance", "--chromaticity", "0.3,0.3")

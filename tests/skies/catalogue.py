@@ -36,6 +36,10 @@ SKIES = {
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "daylight": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
+    "colour-by-luminance": lambda sun, one: sd.ColourByLuminance(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
+    "colour-of": lambda sun, one: sd.ColourOf(
+        sd.CIE(sun, 12, illuminance=one * 12_000.0), like=sd.Preetham(sun, one * 3.2)
+    ),
     "blend": lambda sun, one: sd.blend(
         sd.Preetham(sun, one * 4.0), sd.Daylight(sd.MoonSpencer(zenith_luminance=one * 9000.0)), one * 0.3
     ),

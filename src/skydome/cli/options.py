@@ -123,6 +123,10 @@ class SkyOptions(SunOptions):
     chromaticity: Annotated[
         str | None, Option(metavar="X,Y", help="CIE x, y. [default: D65, 0.3127,0.3290]", rich_help_panel=LEVEL)
     ] = None
+    colour: Annotated[
+        str | None,
+        Option(metavar="luminance|MODEL", help="Colour by luminance, or as a model has it.", rich_help_panel=LEVEL),
+    ] = None
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,7 @@ def scene_of(options: SkyOptions, north: float = 0.0) -> Scene:
     true = moment_for(model, options)
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)
-    coloured, more = in_colour(sky, options)
+    coloured, more = in_colour(sky, moment, options)
     disc, last = disc_for(model, coloured, moment, options)
     disc, size = of_size(disc, options.sun_size)
     notes += more + last + size
@@ -72,16 +72,33 @@ def moment_for(model: "Model", options: SkyOptions) -> Moment | None:
     return moment
 
 
-def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
-    """A sky that has colour: its own, or the chromaticity given or D65's."""
+def in_colour(sky: "Sky", moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, list[str]]":
+    """A sky that has colour: its own, or by --colour's rule, or the chromaticity given or D65's."""
+    import skydome as sd
+
+    if isinstance(sky, sd.ColourSky):
+        asked = "--chromaticity" if options.chromaticity is not None else "--colour"
+        if (options.chromaticity or options.colour) is not None and options.blend_overcast is None:
+            raise ValueError(f"{options.model} knows its own colour; leave out {asked}")
+        return sky, []
+    if options.colour is None:
+        return of_one_colour(sky, options)
+    if options.chromaticity is not None:
+        raise ValueError("--colour is a rule and --chromaticity one colour: give one of them")
+    if options.colour == "luminance":
+        note = "by its luminance, Chain, Dumortier and Fontoynont 1999 (clear skies)"
+        return sd.ColourByLuminance(sky), [f"colour: {note}"]
+    return sd.ColourOf(sky, sky_of_colours(moment, options)), [
+        f"colour: that of {options.colour} toward each direction"
+    ]
+
+
+def of_one_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
+    """The sky in one chromaticity."""
     import skydome as sd
     from skydome.light.colour import D65
     from skydome.skies.validity import require_check
 
-    if isinstance(sky, sd.ColourSky):
-        if options.chromaticity is not None and options.blend_overcast is None:
-            raise ValueError(f"{options.model} knows its own colour; leave out --chromaticity")
-        return sky, []
     white = D65
     if options.chromaticity is not None:
         x, y = numbers(options.chromaticity, 2, "--chromaticity", "0.3127,0.3290 (CIE x,y)")
@@ -89,6 +106,21 @@ def in_colour(sky: "Sky", options: SkyOptions) -> "tuple[ColourSky, list[str]]":
     named = "D65, x, y = 0.3127, 0.3290" if white == D65 else f"x, y = {white[0]:g}, {white[1]:g}"
     note = f"colour: {type(sky).__name__} knows luminance only; daylight of one chromaticity is given to it, {named}"
     return sd.Daylight(sky, white, check=require_check(options.check)), [note]
+
+
+def sky_of_colours(moment: Moment | None, options: SkyOptions) -> "ColourSky":
+    """The sky whose chromaticity --colour asks for, of the same sun and turbidity."""
+    import skydome as sd
+    from skydome.skies.catalogue import model_named
+
+    model = model_named(str(options.colour))
+    given = {name: value for name, value in (("turbidity", turbidity_of(options)), ("albedo", options.albedo))
+             if name in model.takes and value is not None}  # fmt: skip
+    if not issubclass(model.kind, sd.ColourSky) or moment is None or not model.has_sun:
+        raise ValueError(f"--colour must be luminance, or a model that knows colour, under a sun; got {options.colour}")
+    sky = model.make(moment.direction, given, options.check)  # type: ignore[arg-type]
+    assert isinstance(sky, sd.ColourSky)
+    return sky
 
 
 def disc_for(
@@ -138,7 +170,7 @@ def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky
     import skydome as sd
 
     level = float(sd.overcast_zenith_luminance(None if moment is None else moment.direction))
-    sky, _ = in_colour(sd.MoonSpencer(zenith_luminance=level), options)
+    sky, _ = of_one_colour(sd.MoonSpencer(zenith_luminance=level), options)
     share = f"{options.blend_overcast:g} of an overcast sky with {level:.0f} cd m-2 at the zenith"
     return sky, f"blend: {share}; the sun's disc is dimmed with the clear sky"
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, constant, floating, safe_divide, settled
+from skydome.ground.arrays import Array, constant, floating, limited, namespace, safe_divide, settled
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
 
@@ -62,3 +62,24 @@ def daylight_weights(wavelengths: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     luminances = daylight_basis(table) @ xyz_weights(table)[:, 1]
     amounts = CHROMATICITY_TO_AMOUNTS.T @ TOTAL_FIRST
     return basis.T @ amounts, luminances @ amounts
+
+
+LOCUS = (4000.0, 25000.0)
+"""Colour temperatures for which the CIE gives the daylight locus, K."""
+
+
+def daylight_chromaticity(temperature: Array) -> Array:
+    """CIE x, y of daylight of a correlated colour temperature (...,), K, shape (..., 2); held at the locus' ends.
+
+    CIE 15:2018, eq. 4.1-4.3: cubics in 1 / T on both sides of 7000 K, and y by a parabola in x.
+
+    >>> daylight_chromaticity(6504.0).round(4).tolist()
+    [0.3127, 0.3291]
+    """
+    temperature = floating(temperature)
+    xp = namespace(temperature)
+    t = 1e3 / limited(temperature, *LOCUS)
+    warm = ((-4.6070 * t + 2.9678) * t + 0.09911) * t + 0.244063
+    cold = ((-2.0064 * t + 1.9018) * t + 0.24748) * t + 0.237040
+    x = xp.where(t > 1 / 7, warm, cold)
+    return xp.stack([x, (-3.000 * x + 2.870) * x - 0.275], axis=-1)
