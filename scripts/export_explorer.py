@@ -58,8 +58,9 @@ def packed(values: Any) -> dict[str, Any]:
 
 
 def plain(values: Any) -> Any:
-    """Numbers as lists, every digit kept."""
-    return np.asarray(values, dtype=np.float64).tolist()
+    """Numbers as lists, to twelve digits: the last ones differ between processors."""
+    rounded = [float(f"{value:.12g}") for value in np.asarray(values, dtype=np.float64).ravel()]
+    return np.reshape(rounded, np.shape(values)).tolist()
 
 
 def preetham() -> dict[str, Any]:
