@@ -92,6 +92,7 @@ HOME = {
     "export.scenes.scene": "SkyScene",
     "export.scenes.sun_lamp": "SunLamp",
     "fitting.fit": "fit Fit",
+    "explorer.widget": "explore",
 }
 """Module -> its public names, in the order of reading; a module is imported when a name of it is first asked for.
 

@@ -21,6 +21,7 @@ from skydome.dome.render_pixels import render_pixels as render_pixels
 from skydome.dome.sampling import SkySampler as SkySampler
 from skydome.dome.sampling import sample as sample
 from skydome.dome.sampling import sample_density as sample_density
+from skydome.explorer.widget import explore as explore
 from skydome.export.scenes.saving import save_scene as save_scene
 from skydome.export.scenes.scene import SkyScene as SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp as SunLamp

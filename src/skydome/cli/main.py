@@ -8,6 +8,7 @@ from typer.core import TyperGroup
 
 from skydome import __version__
 from skydome.cli.commands.convert import convert
+from skydome.cli.commands.explore import explore
 from skydome.cli.commands.glare import glare
 from skydome.cli.commands.illuminance import illuminance
 from skydome.cli.commands.light import light
@@ -59,6 +60,7 @@ for command in (
     models,
     convert,
     shader,
+    explore,
     glare,
     illuminance,
     evaluate,

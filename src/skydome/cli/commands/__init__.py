@@ -7,6 +7,7 @@
 - list_models  `skydome models`: every model with its parameters, ranges, rung and source, as the classes tell them
 - convert      `skydome convert`: a map from one renderer's layout and file format to another's
 - shader       `skydome shader`: a sky as a function of direction in a shading language
+- explore      `skydome explore`: the explorer in the browser, served from the package to this machine alone
 - glare        `skydome glare`: what an eye, or a camera, makes of a map's sun, side by side with the bare view
 - illuminance  `skydome illuminance`: the light on a plane, tilted or not, under an open or an obstructed sky
 - planes_of_year  `skydome illuminance --weather`: the light on planes through a year

@@ -1,0 +1,82 @@
+/** The controls of the panel, in the order in which one asks: which sky, where, how it is shown. */
+
+import { MODELS } from "../skies/catalogue";
+import { checkbox, section, select, slider, type Change, type Control } from "./controls";
+import { h, tell } from "./element";
+import { usualEV, type Scene } from "./scene";
+import { LIMITS, TARGETS, type State } from "./state";
+
+/** Words for a turbidity. */
+function haze(turbidity: number): string {
+  return turbidity < 2 ? "pure" : turbidity < 2.8 ? "very clear" : turbidity < 4.5 ? "clear" : turbidity < 7 ? "hazy" : "thick haze";
+}
+
+function grouped(first: [string, string][] = []): Map<string, [string, string][]> {
+  const groups = new Map<string, [string, string][]>(first.length ? [["", first]] : []);
+  for (const model of MODELS) groups.set(model.group, [...(groups.get(model.group) ?? []), [model.name, model.label]]);
+  return groups;
+}
+
+const usesHaze = (scene: Scene): boolean => scene.skies.some((_, k) => modelAt(scene, k)?.turbidity !== null);
+
+function modelAt({ state }: Scene, k: number) {
+  return MODELS.find((model) => model.name === (k === 0 ? state.model : state.beside));
+}
+
+const isMeasured = (scene: Scene): boolean => scene.skies.some((_, k) => modelAt(scene, k)?.irradiance);
+
+function hazeLimits(scene: Scene): [number, number] {
+  return scene.skies.length === 1 ? (scene.model.turbidity ?? [1, 10]) : [1, 10];
+}
+
+/** Model, the one beside it, and their air. */
+export function skySection(change: Change): { element: HTMLElement; controls: Control[] } {
+  const source = h("p", { class: "source" });
+  const model = select("Model", "model", grouped(), change);
+  const beside = select("Compare with", "beside", grouped([["", "– none –"]]), change,
+    (value) => (value ? {} : { show: "photo" }));
+  const fixed = (name: string) => (): [number, number] => LIMITS[name];
+  const controls: Control[] = [
+    model, beside,
+    slider({ label: "Turbidity", hint: "Haze: scattering of all air over that of molecules", step: 0.1, limits: hazeLimits,
+      value: ({ state }) => state.turbidity, text: (value) => `${value.toFixed(1)} ${haze(value)}`,
+      change: (turbidity) => ({ turbidity }), shown: usesHaze }, change),
+    slider({ label: "Ground albedo", hint: "Share of light that the ground sends back", step: 0.01, limits: fixed("albedo"),
+      value: ({ state }) => state.albedo, text: (value) => value.toFixed(2), change: (albedo) => ({ albedo }),
+      shown: (scene) => scene.skies.some((_, k) => modelAt(scene, k)?.albedo) }, change),
+    slider({ label: "Direct normal", hint: "Direct normal irradiance", step: 5, limits: fixed("dni"), value: ({ state }) => state.dni,
+      text: (value) => `${value.toFixed(0)} W/m²`, change: (dni) => ({ dni }), shown: isMeasured }, change),
+    slider({ label: "Diffuse horizontal", hint: "Diffuse horizontal irradiance", step: 5, limits: fixed("dhi"),
+      value: ({ state }) => state.dhi, text: (value) => `${value.toFixed(0)} W/m²`, change: (dhi) => ({ dhi }), shown: isMeasured }, change),
+    slider({ label: "Dew point", step: 1, limits: fixed("dew"), value: ({ state }) => state.dew,
+      text: (value) => `${value.toFixed(0)} °C`, change: (dew) => ({ dew }), shown: isMeasured }, change),
+  ];
+  const element = section("Sky", ...controls.slice(0, 2).map((c) => c.element), source, ...controls.slice(2).map((c) => c.element));
+  controls.push({ element: source, follow: (scene) => tell(source, scene.skies.map((_, k) => modelAt(scene, k)?.source).join(" | ")) });
+  return { element, controls };
+}
+
+/** Exposure and what is drawn over the picture. */
+export function pictureSection(change: Change): { element: HTMLElement; controls: Control[] } {
+  const exposure = slider({ label: "Exposure", hint: "Exposure value at ISO 100; lock it to compare hours", step: 0.05,
+    limits: ({ skies }) => [usualEV(skies[0]) - 6, usualEV(skies[0]) + 6].map((v) => Math.round(v * 20) / 20) as [number, number],
+    value: ({ state, skies }) => state.ev ?? usualEV(skies[0]), text: (value, { state }) => `EV ${value.toFixed(1)}${state.ev === null ? " auto" : ""}`,
+    change: (ev) => ({ ev }) }, change);
+  let current = 15;
+  const lock = h("button", { type: "button", class: "lock", click: () => change({ ev: lock.ariaPressed === "true" ? null : current }) }, "Lock");
+  const locks: Control = {
+    element: lock,
+    follow: ({ state, skies }) => {
+      current = Number((state.ev ?? usualEV(skies[0])).toFixed(2));
+      lock.ariaPressed = String(state.ev !== null);
+      tell(lock, state.ev === null ? "Lock exposure" : "Unlock exposure");
+    },
+  };
+  const boxes = [checkbox("Sun path of the day", "path", change), checkbox("Analemma of the hour", "analemma", change)];
+  const targets = new Map([["", Object.entries(TARGETS).map(([name, { note }]): [string, string] => [name, `${name} (${note})`])]]);
+  const target = select("Renderer's north", "target", targets, change, (value) => ({ look: (TARGETS[value].left + 180) % 360, view: "panorama" } as Partial<State>));
+  return {
+    element: section("Picture", exposure.element, h("div", { class: "buttons" }, lock), ...boxes.map((box) => box.element), target.element),
+    controls: [exposure, locks, ...boxes, target],
+  };
+}

@@ -1,0 +1,99 @@
+/** From the page's state to its skies: the sun's place, the models' light, exposure and numbers. */
+
+import { azimuth, DEG, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
+import { modelNamed, MODELS, skyOf, type Model } from "../skies/catalogue";
+import { diffuseXYZ, directXYZ } from "../skies/integral";
+import { xyzToward, zenithXYZ } from "../skies/light";
+import type { Sky } from "../skies/sky";
+import { instant } from "../sun/clock";
+import { radiusAt, sunOver } from "../sun/position";
+import type { State } from "./state";
+
+export interface Scene {
+  state: State;
+  /** Milliseconds since 1970; of the chosen date and hour, a sun set by hand or not. */
+  utc: number;
+  sun: Vec3;
+  model: Model;
+  /** One sky, or two side by side. */
+  skies: Sky[];
+}
+
+export interface Numbers {
+  zenith: Vec3;
+  diffuse: Vec3;
+  direct: Vec3;
+  global: Vec3;
+}
+
+/** Middle grey, to which a picture's usual luminance is brought. */
+export const GREY = 0.18;
+/** Exposure value at ISO 100 of a luminance: log2(L 100 / 12.5). */
+export const EV_PER_LUMINANCE = 8;
+
+/** The scene of a state. */
+export function sceneOf(state: State): Scene {
+  const utc = instant(state.date, state.minutes, state.zone);
+  const found = sunOver(state, utc);
+  const sun = state.sun ? direction(state.sun[0] * DEG, state.sun[1] * DEG) : found.toward;
+  const distance = state.sun ? 1 : found.distance;
+  const { turbidity, albedo, dni, dhi, dew } = state;
+  const conditions = { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew };
+  const model = modelNamed(state.model) ?? MODELS[0];
+  const beside = state.beside ? modelNamed(state.beside) : undefined;
+  const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
+  return { state, utc, sun, model, skies };
+}
+
+/** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */
+export function numbersOf(sky: Sky): Numbers {
+  const [diffuse, direct] = [diffuseXYZ(sky), directXYZ(sky)];
+  return { zenith: zenithXYZ(sky), diffuse, direct, global: sum(diffuse, direct) };
+}
+
+/** XYZ of the Lambertian ground under a sky. */
+export function groundXYZ(sky: Sky, numbers: Numbers): Vec3 {
+  return scaled(numbers.global, sky.ground / Math.PI);
+}
+
+/** Luminances over the dome, evenly by solid angle, for exposure and bars. */
+function luminances(sky: Sky): number[] {
+  const found: number[] = [];
+  for (let ring = 0; ring < 6; ring++) {
+    for (let turn = 0; turn < 12; turn++) {
+      const toward = direction(azimuth(sky.sun) + (turn + 0.5) * 30 * DEG, Math.asin((ring + 0.5) / 6));
+      found.push(xyzToward(sky, toward)[1]);
+    }
+  }
+  return found.filter((value) => value > 0);
+}
+
+/** The luminance, cd m-2, that a photographer would expose for: the sky's logarithmic mean. */
+export function middleLuminance(sky: Sky): number {
+  const found = luminances(sky);
+  if (!found.length) return 1000;
+  return Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length);
+}
+
+/** The exposure value that suits a sky: skies look right a little brighter than middle grey. */
+export function usualEV(sky: Sky): number {
+  return Math.log2(middleLuminance(sky) * EV_PER_LUMINANCE) - 0.75;
+}
+
+/** What luminance is multiplied by at an exposure value. */
+export function exposureOf(ev: number): number {
+  return (GREY * EV_PER_LUMINANCE) / 2 ** ev;
+}
+
+/** log10 of the luminances at the ends of a bar that suits the skies. */
+export function usualBar(skies: Sky[]): [number, number] {
+  const found = skies.flatMap(luminances).map(Math.log10).sort((a, b) => a - b);
+  if (!found.length) return [2, 5];
+  const low = Math.floor(found[0] * 5) / 5;
+  return [low, Math.max(low + 0.6, Math.ceil((found[found.length - 1] + 0.15) * 5) / 5)];
+}
+
+/** The sun's azimuth and elevation, degrees. */
+export function sunAngles(sun: Vec3): [number, number] {
+  return [azimuth(sun) / DEG, elevation(sun) / DEG];
+}

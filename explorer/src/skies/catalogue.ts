@@ -1,0 +1,173 @@
+/** The sky models of the page by the package's names: what each takes, and how its sky is made. */
+
+import { TABLES } from "../core/tables";
+import { azimuth, direction, halfSquare, limited, times, type Vec3 } from "../core/vector";
+import { levelledCie, levelledClear } from "./cie";
+import { discOf } from "./disc";
+import { hosekLetters } from "./hosek";
+import { channel } from "./light";
+import { skydome_angle } from "../data/formula";
+import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
+import { allWeather } from "./perez";
+import { preethamLetters } from "./preetham";
+import type { Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
+
+/** What a sky is made of, in the package's units; angles in radians. */
+export interface Conditions {
+  sun: Vec3;
+  /** Angular radius of the sun, rad, and its distance, AU. */
+  radius: number;
+  distance: number;
+  turbidity: number;
+  albedo: number;
+  dni: number;
+  dhi: number;
+  dew: number;
+}
+
+export interface Model {
+  name: string;
+  label: string;
+  group: string;
+  source: string;
+  /** Turbidity's range; null where the model takes none. */
+  turbidity: [number, number] | null;
+  albedo: boolean;
+  irradiance: boolean;
+  /** Least elevation of the sun, degrees, that it has light for. */
+  lowest: number;
+  make(c: Conditions): Sky;
+}
+
+const EYE = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const NORMAL = EYE.map((row) => row.map((value) => value * TABLES.efficacy));
+const RGB = TABLES.colour.srgbToXYZ.map((row) => row.map((value) => value * TABLES.efficacy));
+const GREY = TABLES.colour.d65.map((value) => [value]);
+const GREY_NOTE = "colour: the model knows luminance only; daylight of D65 is given to it";
+
+/** Overcast up to the horizon: no sky before sunrise but the physical one. */
+function base(name: string, c: Conditions, recipe: Recipe, ground: number, notes: string[] = []): Sky {
+  return { name, sun: c.sun, recipe, day: c.sun[2] > 0, ground, disc: null, spectrum: null, notes };
+}
+
+function formula(channels: Letters[], toXYZ: number[][], hosek = false, chromatic = false): Formula {
+  return { kind: "formula", channels, hosek, chromatic, toXYZ };
+}
+
+/** Models need a sun above the horizon for their numbers; below it their light is 0 anyhow. */
+function risen(sun: Vec3): Vec3 {
+  return sun[2] > 0 ? sun : direction(azimuth(sun), 1e-6);
+}
+
+function withDisc(sky: Sky, c: Conditions, turbidity: number, lux: number | null = null): Sky {
+  return { ...sky, disc: discOf(c.sun, turbidity, c.radius, lux) };
+}
+
+function preetham(c: Conditions): Sky {
+  const channels = preethamLetters(risen(c.sun), c.turbidity);
+  const sky = withDisc(base("preetham", c, formula(channels, EYE, false, true), TABLES.albedo.ground), c, c.turbidity);
+  return { ...sky, spectrum: (toward) => daylight(recipeXYZ(sky, toward)) };
+}
+
+function recipeXYZ(sky: Sky, toward: Vec3): number[] {
+  const half = halfSquare(toward, sky.sun);
+  const { channels } = sky.recipe as Formula;
+  const [x, y, luminance] = channels.map((row) => channel(row, false, Math.max(toward[2], 0), half, skydome_angle(half)));
+  return [(x / y) * luminance, luminance, ((1 - x - y) / y) * luminance];
+}
+
+/** The CIE daylight series at a colour (Preetham 1999, A.5). */
+function daylight(xyz: number[]): Spectrum {
+  const { matrix, balance, wavelengths } = TABLES.colour.daylight;
+  const level = xyz[1] / times([balance], xyz)[0];
+  return { wavelengths, radiance: times(matrix, xyz).map((value) => value * level) };
+}
+
+function hosek(c: Conditions): Sky {
+  const sun = risen(c.sun);
+  const channels = hosekLetters("xyz", sun, c.turbidity, c.albedo);
+  const bands = hosekLetters("spectral", sun, c.turbidity, c.albedo);
+  const sky = withDisc(base("hosek-wilkie", c, formula(channels, NORMAL, true), c.albedo), c, c.turbidity);
+  const spectrum = (toward: Vec3): Spectrum => {
+    const half = halfSquare(toward, c.sun);
+    const up = Math.max(toward[2], 0);
+    const radiance = bands.map((row) => channel(row, true, up, half, skydome_angle(half)));
+    return { wavelengths: TABLES.hosekWilkie.bands, radiance };
+  };
+  return { ...sky, spectrum };
+}
+
+function hosekRGB(c: Conditions): Sky {
+  const channels = hosekLetters("rgb", risen(c.sun), c.turbidity, c.albedo);
+  return withDisc(base("hosek-wilkie-rgb", c, formula(channels, RGB, true), c.albedo), c, c.turbidity);
+}
+
+function neural(name: string, c: Conditions): Sky {
+  const network: Network = foldedNetwork(name, risen(c.sun), c.turbidity, c.albedo);
+  const sky = withDisc(base(name, c, network, c.albedo), c, c.turbidity);
+  const { bands, scale } = NETWORKS[name];
+  if (!bands.length) return sky;
+  const radiance = (toward: Vec3): number[] => networkOutputs(network, c.sun, toward).map((value) => value * scale);
+  return { ...sky, spectrum: (toward) => ({ wavelengths: bands, radiance: radiance(toward) }) };
+}
+
+function perez(c: Conditions): Sky {
+  const found = allWeather(risen(c.sun), c.dni, c.dhi, c.dew, c.distance);
+  const sky = base("perez-all-weather", c, formula([found.letters], GREY), TABLES.albedo.ground, [GREY_NOTE]);
+  const lit = { ...sky, day: sky.day && c.dni + c.dhi > 0 };
+  return withDisc(lit, c, 3, found.directNormal);
+}
+
+function cie(type: number, c: Conditions): Sky {
+  const name = `cie-${type}`;
+  const sky = base(name, c, formula([levelledCie(type, risen(c.sun), c.turbidity)], GREY), TABLES.albedo.ground, [GREY_NOTE]);
+  return (TABLES.shines as Record<string, boolean>)[name] ? withDisc(sky, c, c.turbidity) : sky;
+}
+
+function cieClear(c: Conditions): Sky {
+  const letters = levelledClear(risen(c.sun), c.turbidity);
+  return withDisc(base("cie-clear", c, formula([letters], GREY), TABLES.albedo.ground, [GREY_NOTE]), c, c.turbidity);
+}
+
+const CIE_NAMES = [
+  "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",
+  "uniform", "partly cloudy, slight sunward", "partly cloudy, brighter sunward", "partly cloudy, distinct corona",
+  "partly cloudy, sun hidden", "partly cloudy, bright circumsolar", "white-blue, distinct corona", "clear, low turbidity",
+  "clear, polluted", "cloudless turbid, broad corona", "white-blue turbid, broad corona",
+];
+
+const HAZE: [number, number] = [1, 10];
+const clear = { group: "Clear skies", turbidity: HAZE, albedo: true, irradiance: false, lowest: 0.1 };
+const measured = { albedo: false, irradiance: false, lowest: 0.1 };
+
+export const MODELS: Model[] = [
+  { ...clear, name: "hosek-wilkie", label: "Hosek-Wilkie", source: "Hosek and Wilkie 2012", make: hosek },
+  { ...clear, name: "hosek-wilkie-rgb", label: "Hosek-Wilkie RGB", source: "Hosek and Wilkie 2012", make: hosekRGB },
+  { ...clear, name: "preetham", label: "Preetham", source: "Preetham, Shirley and Smits 1999", turbidity: [2, 6],
+    albedo: false, make: preetham },
+  ...Object.keys(NETWORKS).map((name): Model => ({
+    ...clear, group: "Neural skies", name, label: name.replace("neural-", "").replaceAll("-", " "),
+    source: "Satilmis et al. 2017", albedo: NETWORKS[name].features.includes("albedo"), make: (c) => neural(name, c),
+  })),
+  { ...measured, group: "Measured and standard", name: "perez-all-weather", label: "Perez all-weather", turbidity: null,
+    irradiance: true, source: "Perez, Seals and Michalsky 1993", make: perez },
+  { ...measured, group: "Measured and standard", name: "cie-clear", label: "CIE clear (Kittler)", turbidity: HAZE,
+    source: "Kittler 1967, CIE 110-1994", make: cieClear },
+  ...CIE_NAMES.map((text, k): Model => ({
+    ...measured, group: "CIE standard general skies", name: `cie-${k + 1}`, label: `CIE ${k + 1}: ${text}`,
+    turbidity: k >= 5 ? HAZE : null, source: "CIE S 011, ISO 15469", make: (c) => cie(k + 1, c),
+  })),
+];
+
+/** The model by name; undefined for a name that is none. */
+export function modelNamed(name: string): Model | undefined {
+  return MODELS.find((model) => model.name === name);
+}
+
+/** The sky of a model, its turbidity held in the model's range. */
+export function skyOf(model: Model, given: Conditions): Sky {
+  const turbidity = model.turbidity ? limited(given.turbidity, ...model.turbidity) : given.turbidity;
+  const albedo = limited(given.albedo, 0, 1);
+  return model.make({ ...given, turbidity, albedo });
+}
+

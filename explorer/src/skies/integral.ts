@@ -1,0 +1,57 @@
+/** Light on the horizontal: nodes that crowd at the sun, over the half of the sky that the other mirrors. */
+
+import { TABLES } from "../core/tables";
+import { azimuth, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
+import { channel } from "./light";
+import { xyzToward } from "./light";
+import type { Letters, Sky } from "./sky";
+
+const { near: NEAR, weight: WEIGHT } = TABLES.nodes;
+
+type Visit = (zenith: number, difference: number, solidAngle: number) => void;
+
+/** Call with each node's zenith angle, azimuth from the sun, and solid angle. */
+function nodesAbout(sunZenith: number, visit: Visit): void {
+  const sun = Math.min(Math.max(sunZenith, 0), Math.PI / 2);
+  const parts: [(t: number) => number, number][] = [
+    [(t) => sun * (1 - t), sun],
+    [(t) => sun + (Math.PI / 2 - sun) * t, Math.PI / 2 - sun],
+  ];
+  for (const [place, length] of parts) {
+    NEAR.forEach((t, i) => {
+      const zenith = place(t);
+      const ring = length * WEIGHT[i] * Math.sin(zenith) * 2 * Math.PI;
+      NEAR.forEach((s, j) => visit(zenith, Math.PI * s, ring * WEIGHT[j]));
+    });
+  }
+}
+
+/** Diffuse light on the horizontal, XYZ, Y in lx. */
+export function diffuseXYZ(sky: Sky): Vec3 {
+  let total: Vec3 = [0, 0, 0];
+  if (!sky.day) return total;
+  const turn = azimuth(sky.sun);
+  nodesAbout(Math.PI / 2 - elevation(sky.sun), (zenith, difference, solidAngle) => {
+    const toward = direction(turn + difference, Math.PI / 2 - zenith);
+    total = sum(total, scaled(xyzToward(sky, toward), solidAngle * Math.cos(zenith)));
+  });
+  return total;
+}
+
+/** Direct light on the horizontal, XYZ, Y in lx. */
+export function directXYZ(sky: Sky): Vec3 {
+  return sky.disc && sky.sun[2] > 0 ? scaled(sky.disc.normal, sky.sun[2]) : [0, 0, 0];
+}
+
+/** Integral of one channel of the formula times the cosine. */
+export function channelIntegral(letters: Letters, sunZenith: number, hosek = false): number {
+  let total = 0;
+  const sun = Math.min(Math.max(sunZenith, 0), Math.PI / 2);
+  nodesAbout(sun, (zenith, difference, solidAngle) => {
+    const up = Math.cos(zenith);
+    const across = Math.sin(zenith) * Math.sin(sun) * Math.sin(difference / 2) ** 2;
+    const half = Math.min(Math.sin((zenith - sun) / 2) ** 2 + across, 1);
+    total += solidAngle * up * channel(letters, hosek, up, half, 2 * Math.asin(Math.sqrt(half)));
+  });
+  return total;
+}

@@ -1,0 +1,72 @@
+/** What the page knows of one sky: its light toward any direction, and how a shader is told of it. */
+
+import type { Vec3 } from "../core/vector";
+
+/** Numbers R A B C D E F G H I of one channel (Hosek and Wilkie 2012, eq. 8). */
+export type Letters = number[];
+
+export interface Formula {
+  kind: "formula";
+  /** One row a channel: one, or three. */
+  channels: Letters[];
+  /** Hosek and Wilkie's gradation has 0.01 added to the cosine. */
+  hosek: boolean;
+  /** The channels are x, y, Y. */
+  chromatic: boolean;
+  /** From the channels (X, Y, Z of chromatic ones) to XYZ in cd m-2, rows. */
+  toXYZ: number[][];
+}
+
+export interface Network {
+  kind: "network";
+  /** Inputs of the view, by the names of `data/shaders.ts`. */
+  inputs: string[];
+  /** Rows of weights, the bias last. */
+  layers: number[][][];
+  exponential: boolean;
+  toXYZ: number[][];
+}
+
+export interface Fields {
+  kind: "fields";
+  /** Nodes in the view's elevation and terms in the azimuth from the sun. */
+  nodes: number;
+  terms: number;
+  /** (nodes, terms, shapes + 1, 3) as XYZ in cd m-2, the last of higher orders. */
+  series: Float32Array;
+  shapes: number;
+  /** Asymmetry of each shape; the first is molecular. */
+  asymmetries: number[];
+}
+
+export type Recipe = Formula | Network | Fields;
+
+export interface Spectrum {
+  wavelengths: number[];
+  /** W m-2 sr-1 nm-1 */
+  radiance: number[];
+}
+
+/** A sky under one sun. */
+export interface Sky {
+  /** Name in the catalogue. */
+  name: string;
+  sun: Vec3;
+  recipe: Recipe;
+  /** Whether it has light at all. */
+  day: boolean;
+  /** Albedo of its ground. */
+  ground: number;
+  /** Light on a plane that faces the sun, XYZ in lx; null without a disc. */
+  disc: Disc | null;
+  spectrum: ((toward: Vec3) => Spectrum) | null;
+  /** What was decided for the user, a line each. */
+  notes: string[];
+}
+
+export interface Disc {
+  radius: number;
+  turbidity: number;
+  /** XYZ of the illuminance on a plane that faces it, lx. */
+  normal: Vec3;
+}

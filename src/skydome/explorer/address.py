@@ -1,0 +1,95 @@
+"""What a sky, a place and a time are called in the page's address."""
+
+from datetime import datetime
+from typing import Any
+from urllib.parse import urlencode
+
+import numpy as np
+
+from skydome.ground.arrays import as_numpy
+from skydome.ground.directions import azimuth, elevation
+from skydome.ground.units import deg
+from skydome.skies.catalogue import CATALOGUE
+from skydome.skies.sky import Sky
+from skydome.sun.place import Place
+
+VERSION = 1
+"""Of the meaning of the names in an address, as the page has it."""
+KEYS = {
+    "turbidity": "turbidity",
+    "albedo": "albedo",
+    "direct_normal_irradiance": "dni",
+    "diffuse_horizontal_irradiance": "dhi",
+    "dew_point": "dew",
+}
+"""Parameters of skies and their names in the address."""
+
+
+def address(**told: Any) -> str:
+    """The query of an address that tells these values, None for what is not told.
+
+    >>> address(model="preetham", turbidity=2.5, place=None)
+    '?v=1&model=preetham&turbidity=2.5'
+    """
+    known = {name: value for name, value in told.items() if value is not None}
+    return "?" + urlencode({"v": VERSION} | known, safe=",:/")
+
+
+def moment(place: Place | None, time: datetime | None, zone: str | None = None) -> dict[str, str]:
+    """A place and a time in the address's words; a time without a named zone is told in one of whole hours.
+
+    >>> from datetime import timezone, timedelta
+    >>> moment(Place(45.07, 7.69), datetime(2026, 6, 21, 15, tzinfo=timezone(timedelta(hours=2))))
+    {'place': '45.07,7.69', 'zone': 'Etc/GMT-2', 'date': '2026-06-21', 'time': '15:00'}
+    """
+    told = {} if place is None else {"place": f"{place.latitude:g},{place.longitude:g}"}
+    if time is None:
+        return told
+    offset = time.utcoffset()
+    if offset is None:
+        raise ValueError(f"time must have a UTC offset, got {time.isoformat()}")
+    hours = round(offset.total_seconds() / 3600)
+    local = time if zone else time - offset + hours * (offset.resolution * 3_600_000_000)
+    named = zone or ("Etc/GMT" if hours == 0 else f"Etc/GMT{-hours:+d}")
+    return told | {"zone": named, "date": f"{local:%Y-%m-%d}", "time": f"{local:%H:%M}"}
+
+
+def address_of(sky: Sky) -> str:
+    """The address at which the page shows a sky of the catalogue: its model, its sun and its air.
+
+    TypeError for a sky that no row of the catalogue makes, ValueError for one of more than one condition.
+
+    >>> import skydome as sd
+    >>> address_of(sd.Preetham(sd.direction(azimuth=180 * sd.deg, elevation=30 * sd.deg), turbidity=2.5))
+    '?v=1&model=preetham&sun=180,30&turbidity=2.5'
+    """
+    inner = sky.single[0]
+    lit = inner.sunlit
+    if lit is not None:
+        inner = lit
+    told: dict[str, Any] = {"model": model_name(inner)}
+    if lit is not None:
+        sun = as_numpy(lit.sun)
+        if sun.shape != (3,):
+            raise ValueError(f"the explorer shows one sky: parameters must be single numbers, got suns of {sun.shape}")
+        told["sun"] = f"{plain(azimuth(sun) / deg)},{plain(elevation(sun) / deg)}"
+    for name, key in KEYS.items():
+        value = getattr(inner, name, None)
+        if value is not None and np.ndim(value) == 0:
+            told[key] = plain(value)
+    return address(**told)
+
+
+def model_name(sky: Sky) -> str:
+    """The catalogue's name of a sky; TypeError where it has none."""
+    for model in CATALOGUE:
+        if type(sky) is model.kind and all(
+            getattr(sky, name, value) == value for name, value in model.fixed.items() if name != "network"
+        ):
+            return model.name
+    raise TypeError(f"the explorer shows the skies that `skydome models` lists, got {type(sky).__name__}")
+
+
+def plain(value: Any) -> str:
+    """A number with at most six digits after the point, without zeros at its end."""
+    return f"{float(value):.6f}".rstrip("0").rstrip(".")

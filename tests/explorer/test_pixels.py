@@ -1,0 +1,49 @@
+"""The page's pixels and numbers are the library's: every model, several suns."""
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome.cli.numbers_of_light import light_facts
+from skydome.cli.options import SkyOptions
+from skydome.cli.scene import scene_of
+from skydome.skies.catalogue import model_named
+
+pytestmark = pytest.mark.slow
+
+HEIGHT = 64
+SUNS = ((200.0, 60.0), (95.0, 22.0), (300.0, 4.0))
+AIR = {"turbidity": 3.4, "albedo": 0.35}
+MEASURED = {"direct_normal_irradiance": 610.0, "diffuse_horizontal_irradiance": 140.0, "dew_point": 4.0}
+
+
+def scene(name, sun):
+    """The scene of the command line for a model of the page."""
+    model = model_named(name)
+    given = {"sun": f"{sun[0]},{sun[1]}", "model": name, "check": "clamp"}
+    if "direct_normal_irradiance" in model.takes:
+        return scene_of(SkyOptions(**given, **MEASURED))
+    hazy = "turbidity" in model.takes or (model.shines and model.level is not None)
+    return scene_of(
+        SkyOptions(**given, **{key: AIR[key] for key in AIR if key in model.takes or (key == "turbidity" and hazy)})
+    )
+
+
+def test_every_model_has_the_librarys_light(opened):
+    page = opened("?view=panorama")
+    v = (np.arange(HEIGHT // 2) + 0.5) / HEIGHT * np.pi
+    u = (np.arange(2 * HEIGHT) + 0.5) / (2 * HEIGHT) * 2 * np.pi
+    directions = np.asarray(sd.direction(u[None, :], np.pi / 2 - v[:, None]))
+    for name in page.ask("explorer.models"):
+        for sun in SUNS:
+            page.change(model=name, sun=list(sun), **AIR, dni=610, dhi=140, dew=4)
+            wanted = scene(name, sun)
+            expected = wanted.sky.xyz(directions)
+            found = page.xyz(HEIGHT)[: HEIGHT // 2]
+            error = np.abs(found - expected).max() / expected.max()
+            assert error < 2e-5, (name, sun, error)
+            facts = light_facts(wanted)
+            numbers = page.ask("explorer.numbers[0]")
+            assert numbers["zenith"][1] == pytest.approx(facts["zenith_luminance_cd_m2"], rel=1e-5), (name, sun)
+            for key in ("diffuse", "direct", "global"):
+                assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=5e-4), (name, sun, key)
