@@ -1,6 +1,7 @@
 """PNG pictures: 8 bit sRGB."""
 
 from collections.abc import Mapping
+from io import BytesIO
 from os import PathLike
 from typing import Any
 
@@ -11,6 +12,13 @@ from skydome.ground.writing import appearing
 
 def write(path: str | PathLike[str], encoded: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
     """Write sRGB-encoded values (H, W, 3) in 0..1 as an 8 bit PNG, atomically; `header` becomes its text entries."""
+    picture = as_bytes(encoded, header)
+    with appearing(path) as beside:
+        beside.write_bytes(picture)
+
+
+def as_bytes(encoded: np.ndarray, header: Mapping[str, Any] | None = None) -> bytes:
+    """The same as the file's bytes."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
@@ -20,5 +28,6 @@ def write(path: str | PathLike[str], encoded: np.ndarray, header: Mapping[str, A
     for name, value in (header or {}).items():
         notes.add_itxt(name, str(value))
     eight_bit = np.rint(np.clip(encoded, 0.0, 1.0) * 255).astype(np.uint8)
-    with appearing(path) as beside, beside.open("wb") as file:
-        Image.fromarray(eight_bit).save(file, format="PNG", pnginfo=notes)
+    stream = BytesIO()
+    Image.fromarray(eight_bit).save(stream, format="PNG", pnginfo=notes)
+    return stream.getvalue()

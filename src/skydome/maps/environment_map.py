@@ -3,17 +3,24 @@
 import math
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground import png
 from skydome.ground.directions import ZENITH, checked_directions, checked_turn
+from skydome.ground.extras import required
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.files import save
 from skydome.maps.integrals import cosine_integral, light_vector
 from skydome.maps.lookup import bilinear
 from skydome.maps.pixels import MapPixels
+from skydome.maps.preview import preview
+from skydome.maps.showing import draw_map, table_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,3 +82,38 @@ class EnvironmentMap(MapPixels):
     def save(self, path: str | PathLike[str], **choices: Any) -> None:
         """Write the map to `path`, atomically: .exr, .hdr or .png by the name's end; see `skydome.maps.files.save`."""
         save(self, path, **choices)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Rows, columns and 3."""
+        return self.pixels.shape
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+        """The pixels (H, W, 3), linear RGB in the map's unit, for `np.asarray(map)`."""
+        return np.array(self.pixels, dtype=dtype, copy=copy)
+
+    def plot(self, ax: "Axes | None" = None, exposure: float | None = None) -> "Axes":
+        """The map as a photograph would show it, on `ax` or on axes of its own; `exposure` per cd m-2, else by content.
+
+        >>> EnvironmentMap(np.full((4, 8, 3), 2.0)).plot().get_ylabel()
+        'elevation, degrees'
+        """
+        required("matplotlib", "plot", "a plot")
+        return draw_map(self.projection, preview(self, exposure), ax)
+
+    def _repr_png_(self) -> bytes:
+        """The map as a notebook shows it, at most 512 pixels wide."""
+        step = max(1, -(-self.shape[1] // 512))
+        return png.as_bytes(preview(self)[::step, ::step])
+
+    def _repr_html_(self) -> str:
+        """Size, unit, colour space, light and provenance, and the picture."""
+        rows, columns, _ = self.shape
+        facts = {
+            "size": f"{columns} x {rows} texels, {self.projection}",
+            "unit": f"RGB times {self.white_luminance:g} is cd m⁻² ({self.space.name})",
+            "on the horizontal": f"{float(self.illuminance()):,.0f} lx",
+            "brightest texel": f"{float(self.luminance().max(initial=0.0)):,.4g} cd m⁻²",
+        }
+        known = {name: str(value) for name, value in self.metadata.items() if name != "model"}
+        return table_of("EnvironmentMap", facts | known, self._repr_png_())

@@ -37,6 +37,10 @@ class ColourSky(Sky):
         """XYZ of the light on the horizontal, Y in lx, (3,), where the sky knows it without its dome; else None."""
         return None
 
+    def screen_rgb(self, directions: Array) -> Array:
+        """Linear sRGB (..., 3): its own."""
+        return self.rgb(directions)
+
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,): the Y of `xyz`."""
         return self.xyz(directions)[..., 1]

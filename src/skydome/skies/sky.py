@@ -15,12 +15,13 @@ import numpy as np
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
 from skydome.skies.formula.fast import Light
+from skydome.skies.showing.shown import Shown
 from skydome.skies.validity import Ranged, is_one
 from skydome.sun.day import is_day
 
 
 @dataclass(frozen=True, eq=False)
-class Sky(Ranged, ABC):
+class Sky(Ranged, Shown, ABC):
     """A sky whose luminance is known: the first rung.
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves

@@ -203,6 +203,7 @@ class PathTraced(AtmosphereSky):
     paths_per_pass: int = 8
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
+    quick_to_see: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -46,6 +46,7 @@ class DiscreteOrdinates(AtmosphereSky):
     streams: int = 16
     ranges: ClassVar = {"streams": Range(4, 128)}
     source: ClassVar[str] = "Stamnes et al. 1988 (DISORT), C version, by nanodisort; TMS of Nakajima and Tanaka 1988"
+    quick_to_see: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -47,6 +47,7 @@ class Nishita93(AtmosphereSky):
 
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "Nishita, Sirai, Tadamura, Nakamae 1993, eq. 4-9"
+    quick_to_see: ClassVar[bool] = False
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
