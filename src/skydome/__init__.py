@@ -83,6 +83,8 @@ HOME = {
     "land.reading": "read_elevation",
     "years.weather.weather": "Weather",
     "years.weather.reading": "read_weather",
+    "years.quality.report": "quality",
+    "years.quality.repairs": "repaired",
     "years.skies.series": "year",
     "years.planes.plane": "Plane",
     "years.planes.light": "on_planes",

@@ -133,6 +133,8 @@ from skydome.years.planes.light import on_planes as on_planes
 from skydome.years.planes.plane import Plane as Plane
 from skydome.years.planes.sums import cumulative_sky as cumulative_sky
 from skydome.years.planes.sums import monthly_sums as monthly_sums
+from skydome.years.quality.repairs import repaired as repaired
+from skydome.years.quality.report import quality as quality
 from skydome.years.skies.series import year as year
 from skydome.years.weather.reading import read_weather as read_weather
 from skydome.years.weather.weather import Weather as Weather

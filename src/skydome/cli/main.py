@@ -18,6 +18,7 @@ from skydome.cli.commands.render import render
 from skydome.cli.commands.shader import shader
 from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
+from skydome.cli.commands.weather import weather
 from skydome.cli.commands.year import year
 from skydome.cli.endings import DEBUG, end_on_signals, ending
 from skydome.cli.learning.animate import animate
@@ -68,6 +69,7 @@ for command in (
     fit,
     terrain,
     year,
+    weather,
     train,
     animate,
 ):
