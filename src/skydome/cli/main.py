@@ -8,6 +8,7 @@ from typer.core import TyperGroup
 
 from skydome import __version__
 from skydome.cli.commands.convert import convert
+from skydome.cli.commands.daylight import daylight
 from skydome.cli.commands.explore import explore
 from skydome.cli.commands.glare import glare
 from skydome.cli.commands.illuminance import illuminance
@@ -70,6 +71,7 @@ for command in (
     terrain,
     year,
     weather,
+    daylight,
     train,
     animate,
 ):

@@ -4,6 +4,7 @@
 - quality/    How good a weather file's light is: what is wrong with it, and its repair
 - skies/      The skies of a year's hours on the dome's patches
 - planes/     Light on planes through a year: walls, desks, panels
+- metrics/    The numbers that engineers sign: daylight autonomy, EN 17037, glare, doses
 - gendaymtx/  A year by the rules of Radiance's gendaymtx, number by number
 - stores/     A year out: stores and files that appear whole or not at all
 """

@@ -15,7 +15,6 @@ from skydome.sun.refraction import standard_pressure
 from skydome.years.quality.clear_sky import ineichen
 from skydome.years.weather.reading import read_weather
 
-
 BLACK = 34
 """Hours of the Greensboro year with the sun up, direct light and no diffuse light: dawns and dusks."""
 
