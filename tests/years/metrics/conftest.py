@@ -66,7 +66,7 @@ def office(tmp_path_factory, run_radiance):
     sensors = "".join(f"{x} {y} {z} 0 0 1\n" for x, y, z in POINTS).encode()
     settings = ["-I+", "-y", len(POINTS), "-lw", "1e-5", "-n", "1"]
     for name, black, more in (
-        ("total", False, ["-ab", "5", "-ad", "6000"]),
+        ("total", False, ["-ab", "5", "-ad", "12000"]),
         ("direct", True, ["-ab", "1", "-ad", "12000"]),
     ):
         (folder / f"{name}.rad").write_text(scene_text(black))
