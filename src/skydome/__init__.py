@@ -48,6 +48,7 @@ HOME = {
     "skies.physical.nishita": "Nishita93 Nishita96",
     "skies.physical.held": "held",
     "skies.path_tracing.sky": "PathTraced",
+    "skies.prague.sky": "Prague",
     "skies.series": "luminance_series",
     "dome.render": "render",
     "dome.render_pixels": "render_pixels",
