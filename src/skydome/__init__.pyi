@@ -102,6 +102,7 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates as Discr
 from skydome.skies.physical.held import held as held
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
+from skydome.skies.prague.sky import Prague as Prague
 from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
 from skydome.skies.sky import Sky as Sky
@@ -133,6 +134,8 @@ from skydome.years.planes.light import on_planes as on_planes
 from skydome.years.planes.plane import Plane as Plane
 from skydome.years.planes.sums import cumulative_sky as cumulative_sky
 from skydome.years.planes.sums import monthly_sums as monthly_sums
+from skydome.years.quality.repairs import repaired as repaired
+from skydome.years.quality.report import quality as quality
 from skydome.years.skies.series import year as year
 from skydome.years.weather.reading import read_weather as read_weather
 from skydome.years.weather.weather import Weather as Weather

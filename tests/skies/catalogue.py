@@ -4,6 +4,9 @@
 `PHYSICAL` ones compute in NumPy for one sun or many: made from a sun (`test_contract_physical.py`).
 """
 
+import tempfile
+from pathlib import Path
+
 import numpy as np
 
 import skydome as sd
@@ -73,7 +76,33 @@ def numbers():
     return Numbers(elevations, wavelengths, coefficients, np.zeros((3, 3)))
 
 
+def prague_file(path):
+    """A small file in the layout of the Prague model: 2 of each kind, suns at -4, 2, 30 and 90 degrees, 12 bands."""
+    rng = np.random.default_rng(5)
+    lists = [[20.0, 131.8], [0.0, 1.0], [0.0, 5000.0], [-4.0, 2.0, 30.0, 90.0]]
+    breaks = [np.linspace(0, np.pi, n) for n in (13, 9, 5)]
+    counted = b"".join(np.int32(len(part)).tobytes() + np.float64(part).tobytes() for part in lists)
+    counted += np.int32(12).tobytes() + np.float64([340.0, 40.0]).tobytes() + np.int32(2).tobytes()
+    counted += b"".join(np.int32(len(part)).tobytes() + part.tobytes() for part in breaks)
+    skies = []
+    for _ in range(2 * 2 * 2 * 4 * 12):
+        for _ in range(2):
+            sun, zenith = (rng.uniform(0.2, 1, len(part)).astype(np.float16) for part in breaks[:2])
+            skies.append(sun.tobytes() + np.float64(7.0).tobytes() + zenith.tobytes())
+        skies.append(rng.uniform(0.5, 1, 5).astype(np.float16).tobytes())
+    passage = np.int32([3, 4, 2, 2, 2]).tobytes() + np.float32([0.0, 5000.0, 20.0, 131.8]).tobytes()
+    passage += rng.uniform(0.3, 0.6, 2 * 3 * 4 * 2).astype(np.float32).tobytes()
+    passage += rng.uniform(0.3, 0.6, 2 * 2 * 12 * 2).astype(np.float32).tobytes()
+    polarised = np.int32(1).tobytes() + b"".join(np.int32(len(p)).tobytes() + p.tobytes() for p in breaks[:2])
+    polarised += rng.uniform(-0.6, 0.6, (2 * 2 * 2 * 4 * 12, 22)).astype(np.float32).tobytes()
+    path.write_bytes(counted + b"".join(skies) + passage + polarised)
+    return path
+
+
+PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
+
 PHYSICAL = {
+    "prague": lambda sun: sd.Prague(sun, PRAGUE),
     "nishita-93": lambda sun: sd.Nishita93(sun, AIR),
     "nishita-96": lambda sun: sd.Nishita96(sun, AIR, rings=4),
     "discrete-ordinates": lambda sun: sd.DiscreteOrdinates(sun, AIR),
@@ -99,6 +128,7 @@ TWILIGHT = (
     "held",
     "physical-sky",
     "physical",
+    "prague",
     "captured-square",
     "captured-with-sun",
 )

@@ -8,6 +8,7 @@ from typer.core import TyperGroup
 
 from skydome import __version__
 from skydome.cli.commands.convert import convert
+from skydome.cli.commands.daylight import daylight
 from skydome.cli.commands.explore import explore
 from skydome.cli.commands.glare import glare
 from skydome.cli.commands.illuminance import illuminance
@@ -18,6 +19,7 @@ from skydome.cli.commands.render import render
 from skydome.cli.commands.shader import shader
 from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
+from skydome.cli.commands.weather import weather
 from skydome.cli.commands.year import year
 from skydome.cli.endings import DEBUG, end_on_signals, ending
 from skydome.cli.learning.animate import animate
@@ -68,6 +70,8 @@ for command in (
     fit,
     terrain,
     year,
+    weather,
+    daylight,
     train,
     animate,
 ):

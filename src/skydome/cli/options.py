@@ -43,7 +43,7 @@ class SunOptions:
 ModelName = Annotated[
     str,
     Option(
-        help="A sky model (`skydome models` lists them), or a network of your own: net.safetensors.",
+        help="A sky model (`skydome models` lists them), your own network (.safetensors), a Prague file (.dat).",
         rich_help_panel=AIR,
     ),
 ]

@@ -18,6 +18,8 @@ from skydome.skies.perez import Perez
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.nishita import Nishita93, Nishita96
+from skydome.skies.prague.file import read_prague
+from skydome.skies.prague.sky import Prague
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
 from skydome.skies.uniform import MoonSpencer, Uniform
@@ -104,9 +106,11 @@ CATALOGUE: tuple[Model, ...] = (
 
 
 def model_named(name: str) -> Model:
-    """The model by name, or of a network file (.safetensors); ValueError with the nearest names there are."""
+    """The model by name, or of a file, .safetensors or .dat; ValueError with the nearest names there are."""
     if name.endswith(".safetensors"):
         return model_of_file(name)
+    if name.endswith(".dat"):
+        return model_of_prague_file(name)
     known = {model.name: model for model in CATALOGUE}
     if name not in known:
         near = get_close_matches(name, known, n=2)
@@ -121,6 +125,12 @@ def model_of_file(path: str) -> Model:
     if load_network(path)[0].bands:
         return NeuralModel(path, NeuralSpectralSky, ("turbidity", "albedo"), {"network": path})
     return NeuralModel(path, NeuralSky, ("turbidity",), {"network": path})
+
+
+def model_of_prague_file(path: str) -> Model:
+    """The Prague model of a file that its authors publish; ValueError for what is none."""
+    ground = ("albedo",) if read_prague(path).albedos.size > 1 else ()
+    return Model(path, Prague, ("visibility", "altitude", *ground), {"data": path})
 
 
 def usually_fitted(kind: type[Sky]) -> tuple[str, ...]:

@@ -1,0 +1,109 @@
+"""`skydome weather`: how good a weather file's light is, a picture of it, and its repair."""
+
+import warnings
+from pathlib import Path
+from typing import Annotated, Any
+
+from typer import Argument, Option
+
+from skydome.cli.commands.year import minutes
+from skydome.cli.doors import progress, require_output
+from skydome.cli.options import AsJson
+from skydome.cli.printing import show
+from skydome.ground.extras import required
+
+MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+
+
+def weather(
+    file: Annotated[Path, Argument(help="EPW, WEA, TMY3, TM2, NSRDB, SAM or PVGIS file.")],
+    repair: Annotated[
+        Path | None, Option("--repair", help="Write it repaired, each repair flagged: site.epw or table.csv.")
+    ] = None,
+    plot: Annotated[Path | None, Option(help="A picture of the record: quality.png, .svg or .pdf.")] = None,
+    place: Annotated[
+        str | None, Option(metavar="LAT,LON[,ALT]", help="For a table that tells of no site; else in its stead.")
+    ] = None,
+    utc_offset: Annotated[float, Option(metavar="HOURS", help="Hours east of UTC, for such a table.")] = 0.0,
+    shift: Annotated[
+        str | None, Option(metavar="auto|MINUTES", help="Move the irradiances later, so that they fit the sun.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Tell how good a weather file's light is: gaps, light at night, shifts, limits, clearness; repair it if asked."""
+    from skydome.figures.skies import FORMATS, save_figure
+    from skydome.sun.place import Place
+    from skydome.years.quality.repaired_file import write_repaired
+    from skydome.years.quality.repairs import repaired
+    from skydome.years.quality.report import quality
+    from skydome.years.weather.reading import read_weather
+
+    require_output(repair, "--repair", (".epw", ".csv", ".gz"))
+    require_output(plot, "a plot's file", FORMATS)
+    if plot is not None:
+        required("matplotlib", "plot", "a plot")
+    moved: Any = minutes(shift)
+    spot = None if place is None else Place.parse(place)
+    with warnings.catch_warnings(record=True) as caught, progress("a look at the weather"):
+        warnings.simplefilter("always", UserWarning)
+        record = read_weather(file, shift=moved, place=spot, utc_offset=utc_offset)
+        report = quality(record)
+        facts = facts_of(report)
+        if repair is not None:
+            done = repaired(record)
+            write_repaired(done, file, repair)
+            facts["repaired_hours"] = done.counts
+        if plot is not None:
+            from skydome.figures.weather import weather_figure
+
+            save_figure(weather_figure(report), plot)
+    facts["notes"] = [str(warning.message) for warning in caught if warning.category is UserWarning]
+    facts["files"] = [str(path) for path in (repair, plot) if path is not None]
+    show(facts, rows_of(facts), as_json)
+
+
+def facts_of(report: Any) -> dict[str, Any]:
+    """The report in numbers, lists and strings."""
+    record, closure = report.looked.weather, report.closure
+    return {
+        "site": record.name,
+        "place": {name: getattr(record.place, name) for name in ("latitude", "longitude", "altitude")},
+        "rows": record.count,
+        "first_local": str(record.local[0]),
+        "last_local": str(record.local[-1]),
+        "irradiation_kwh_m2": {name: round(value, 1) for name, value in report.sums.items()},
+        "hours_with": report.counts,
+        "missing_rows_h": report.missing_rows,
+        "closure_error": None if closure is None else closure.error,
+        "closure_shift_min": None if closure is None else closure.shift,
+        "closure": None if closure is None else closure.text,
+        "linke_turbidity": [None if value != value else round(float(value), 2) for value in report.linke],
+        "hours_by_clearness": [float(value) for value in report.clearness],
+        "variability": round(report.variability, 4),
+        "clear_share": round(report.clear_share, 4),
+        "overcast_share": round(report.overcast_share, 4),
+        "decomposition": record.decomposition or None,
+        "sentences": report.sentences,
+    }
+
+
+def rows_of(facts: dict[str, Any]) -> dict[str, str]:
+    """The same for people."""
+    place = facts["place"]
+    known = [(name, value) for name, value in zip(MONTHS, facts["linke_turbidity"], strict=True) if value is not None]
+    rows = {
+        "site": f"{facts['site']}, {place['latitude']:g}, {place['longitude']:g}, {place['altitude']:g} m",
+        "rows": f"{facts['rows']:,}, {facts['first_local']} to {facts['last_local']}",
+        "irradiation": ", ".join(f"{name} {value:,.0f}" for name, value in facts["irradiation_kwh_m2"].items())
+        + " kWh m⁻²",
+        "to look at": "\n".join(facts["sentences"]) or "nothing",
+        "clear, overcast": f"{facts['clear_share']:.0%}, {facts['overcast_share']:.0%} of hours with the sun above 15°",
+        "variability": f"{facts['variability']:.3f} of the clear sky's light, hour to hour",
+        "turbidity": "Linke, clearest hours: " + ", ".join(f"{name} {value:.1f}" for name, value in known),
+    }
+    texts = {
+        "repaired": ", ".join(f"{count:,} h {name}" for name, count in facts.get("repaired_hours", {}).items()),
+        "files": ", ".join(facts["files"]),
+        "notes": "\n".join(facts["notes"]),
+    }
+    return rows | {name: text for name, text in texts.items() if text}
