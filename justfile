@@ -16,5 +16,12 @@ types:
 figures:
     for script in docs/figures/*.py; do python "$script"; done
 
+# The documentation as a site in build/site; needs sphinx, myst-parser and pydata-sphinx-theme.
+docs:
+    python scripts/make_site.py
+
+notebooks:
+    python scripts/run_notebooks.py
+
 bench:
     python benchmarks/run.py

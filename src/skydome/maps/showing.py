@@ -22,7 +22,11 @@ def table_of(title: str, rows: Mapping[str, str], picture: bytes | None = None) 
     '<div><strong>Sky</strong><table><tr><th>sun</th><td>5 &lt; 6</td></tr></table></div>'
     """
     body = "".join(f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in rows.items())
-    shown = "" if picture is None else f'<img alt="{escape(title)}" src="data:image/png;base64,{encoded(picture)}"/>'
+    shown = (
+        ""
+        if picture is None
+        else f'<img style="display:block" alt="{escape(title)}" src="data:image/png;base64,{encoded(picture)}"/>'
+    )
     return f"<div><strong>{escape(title)}</strong>{shown}<table>{body}</table></div>"
 
 

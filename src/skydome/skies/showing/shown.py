@@ -5,11 +5,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from skydome.ground import png
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import ZENITH, azimuth, elevation
 from skydome.ground.extras import required
 from skydome.ground.units import deg
-from skydome.maps.environment_map import EnvironmentMap
+from skydome.maps.pixels import MapPixels
+from skydome.maps.preview import preview
 from skydome.maps.projections import Fisheye
 from skydome.maps.showing import own_axes, table_of
 
@@ -78,7 +80,9 @@ class Shown:
         dome = Fisheye()
         rgb = np.asarray(as_numpy(self.screen_rgb(dome.directions(SIDE))), dtype=np.float64)
         rgb = np.where(dome.valid(SIDE)[..., None] & np.isfinite(rgb), rgb, 0.0)
-        return EnvironmentMap(rgb, dome)._repr_png_()
+        picture = preview(MapPixels(rgb, dome))
+        picture[~dome.valid(SIDE)] = 1.0
+        return png.as_bytes(picture)
 
     def _repr_html_(self) -> str:
         """A table of the sky's parameters with their units, and its picture."""
