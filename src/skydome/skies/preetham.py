@@ -15,13 +15,13 @@ import numpy as np
 from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.directions import zenith_angle
+from skydome.ground.limits.ranges import Range
 from skydome.ground.writing import appearing
 from skydome.light.daylight import daylight_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.perez_formula import evaluate, from_perez
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.validity import Range
 
 # Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2).
 LETTERS_Y = ((0.1787, -1.4630), (-0.3554, 0.4275), (-0.0227, 5.3251), (0.1206, -2.5771), (-0.0670, 0.3703))

@@ -14,12 +14,12 @@ from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
 from skydome.ground.files.contents import digest_of
+from skydome.ground.limits.ranges import SEED, Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.nishita import scattered_once
-from skydome.skies.validity import Range, require
 
 GUIDED_BELOW = 3.0
 """Elevation of the sun, degrees, below which paths are guided: from there on it is worth what it costs."""
@@ -201,15 +201,20 @@ class PathTraced(AtmosphereSky):
     guide: float | None = None
     roulette: float = 0.2
     paths_per_pass: int = 8
+    bounds: ClassVar = {
+        "relative_error": Range(1e-6, 0.5),
+        "seed": SEED,
+        "orders": Range(1, ALL_ORDERS),
+        "guide": Range(0, 0.95),
+        "roulette": Range(0.0, 1.0),
+        "paths_per_pass": Range(1, 1 << 20),
+    }
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
     quick_to_see: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        require("relative_error", self.relative_error, Range(1e-6, 0.5))
-        require("orders", self.orders, Range(1, ALL_ORDERS))
-        require("guide", 0.0 if self.guide is None else self.guide, Range(0, 0.95))
         if not self.one_sun:
             raise ValueError(f"a path-traced sky has one sun of shape (3,), got {np.shape(self.sun)}")
 

@@ -1,0 +1,4 @@
+"""What numbers and sizes may be, told before they are used.
+
+- ranges  The intervals in which numbers may lie, declared by the classes that take them
+"""
