@@ -22,6 +22,7 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.ground.files.folders import folder_appearing
+from skydome.ground.files.reading import toml_in
 from skydome.ground.limits.ranges import SHARE, Bounded, Range
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.years.stores.cluster import cluster_client
@@ -72,17 +73,15 @@ class Grid(Bounded):
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Grid":
         """From a .toml file whose keys are this class's; ValueError for a key that is none."""
-        import tomllib
-
-        try:
-            held = tomllib.loads(Path(path).read_text("utf-8"))
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"{path} is no TOML: {error}") from error
+        held = toml_in(path, "a grid of skies")
         unknown = sorted(set(held) - set(cls.__dataclass_fields__))
         if unknown:
             known = ", ".join(cls.__dataclass_fields__)
             raise ValueError(f"a grid's keys must be among {known}, got {unknown[0]!r}")
-        return cls(**held)
+        try:
+            return cls(**held)
+        except (TypeError, OverflowError) as error:
+            raise ValueError(f"a grid's values must be numbers or lists of them, got other things in {path}") from error
 
     @property
     def pieces(self) -> list[tuple[int, int]]:

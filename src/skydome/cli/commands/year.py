@@ -133,7 +133,7 @@ def is_sites(path: Path) -> bool:
     from skydome.ground.arguments import require_file
 
     with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
-        cells = [cell.strip() for cell in file.readline().split(",")]
+        cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
     return "file" in cells and "name" in cells
 
 
