@@ -24,6 +24,7 @@ from skydome.ground.extras import required
 from skydome.ground.files.folders import folder_appearing
 from skydome.ground.files.reading import toml_in
 from skydome.ground.limits.ranges import SHARE, Bounded, Range
+from skydome.ground.limits.sizes import require_count, require_memory
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.years.stores.cluster import cluster_client
 
@@ -185,6 +186,8 @@ def simulate(
     """
     required("nanodisort", "rt", "a simulation")
     required("zarr", "scale", "a simulation")
+    require_count(len(grid.pieces), 100_000, "pieces of a grid")
+    require_memory(np.prod(grid.shape[2:], dtype=float) * 24, "a piece of the grid")
     path = Path(path)
     report = progress or (lambda done, of: None)
     if scheduler is None and workers == 0:
