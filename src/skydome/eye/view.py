@@ -141,8 +141,7 @@ class Camera(Frame):
         require_memory(rows * columns * PIXEL_IN_WORK, f"a picture of {columns} x {rows}")
         if not 0 < self.field_of_view < 170 * deg:
             raise ValueError(f"the field of view must lie in (0, 170) degrees, got {in_degrees(self.field_of_view)}")
-        if not (math.isfinite(self.east) and math.isfinite(self.north)):
-            raise ValueError(f"the camera's place must be finite, got {self.east:g}, {self.north:g}")
+        require("the camera's place", (self.east, self.north), FINITE)
         if not 0 < self.above_ground < 1e5:
             raise ValueError(
                 f"the camera must stand above the ground, by 0 to 100 km, got {self.above_ground:g} m above it"
