@@ -63,7 +63,7 @@ KERNEL_PAIRS = (
         "skies.neural.network:Network",
         "skies.neural.kernel:shine",
         "skies/neural/test_network_kernel.py::test_directions",
-        "export.network_shader:network_shader",
+        "export.network_shader:network_code",
     ),
     Pair(
         "skies.neural.fast:light_by_numpy",

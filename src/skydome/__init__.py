@@ -90,7 +90,7 @@ HOME = {
     "years.planes.plane": "Plane",
     "years.planes.light": "on_planes",
     "years.planes.sums": "monthly_sums cumulative_sky",
-    "export.shaders": "shader",
+    "export.shaders": "shader shader_numbers",
     "export.scenes.saving": "save_scene",
     "export.scenes.scene": "SkyScene",
     "export.scenes.sun_lamp": "SunLamp",

@@ -78,4 +78,20 @@ def test_bad_input_is_one_line_and_exit_code_2(arguments, tmp_path):
 def test_models_without_a_shader_are_refused_before_their_sky_is_made(call):
     result = call("shader", "--sun", "200,35", "--model", "path-traced")
     assert result.exit_code == 2
-    assert "got path-traced" in result.stderr
+    assert "the shader of path-traced reads a table" in result.stderr
+
+
+def test_uniforms(tmp_path):
+    import numpy as np
+
+    given = ("--model", "physical", "--lang", "c", "--disc", "--uniforms")
+    source = run(*given, str(tmp_path / "sky.bin")).stdout
+    assert "const float numbers[], float rgb[3]" in source
+    assert "in_disc" in source
+    assert run(*given, str(tmp_path / "sky.json"), "--turbidity", "4").stdout == source
+    held, listed = np.fromfile(tmp_path / "sky.bin", "<f4"), json.loads((tmp_path / "sky.json").read_text())
+    assert held.size % 256 == 0
+    assert 0 <= held.size - len(listed) < 256
+    refused = run("--model", "physical")
+    assert refused.returncode == 2
+    assert "reads a table: give --uniforms FILE" in refused.stderr

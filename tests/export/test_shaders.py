@@ -132,14 +132,15 @@ def device():
         pytest.skip(f"no graphics adapter for wgpu (Debian: mesa-vulkan-drivers): {error}")
 
 
-def computed(device, code):
-    """Colours of VIEWS by a compute shader."""
+def computed(device, code, numbers=None):
+    """Colours of VIEWS by a compute shader, which may read a third buffer of `numbers`."""
     import wgpu
 
     views = np.zeros((len(VIEWS), 4), np.float32)
     views[:, :3] = VIEWS
+    arrays = [views, np.zeros_like(views), *([] if numbers is None else [numbers])]
     usage = wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC
-    buffers = [device.create_buffer_with_data(data=array, usage=usage) for array in (views, np.zeros_like(views))]
+    buffers = [device.create_buffer_with_data(data=array, usage=usage) for array in arrays]
     module = device.create_shader_module(code=code)
     pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
     entries = [{"binding": k, "resource": {"buffer": b, "offset": 0, "size": b.size}} for k, b in enumerate(buffers)]
@@ -169,13 +170,19 @@ def test_hlsl(sky, device, tmp_path):
     agree(computed(device, spirv(HLSL_MAIN.format(source=sd.shader(sky, "hlsl")), ["-D", "-e", "main"], tmp_path)), sky)
 
 
-def test_glsl_is_valid_for_webgl2(tmp_path):
+def check_webgl2(source, tmp_path):
+    """Compile GLSL for WebGL 2."""
     if shutil.which("glslangValidator") is None:
         pytest.skip("glslangValidator is not installed (Debian: glslang-tools)")
     main = "\nout vec4 colour;\nvoid main() { colour = vec4(skydome_rgb(vec3(0.0, 0.0, 1.0)), 1.0); }\n"
     path = tmp_path / "sky.frag"
-    path.write_text("#version 300 es\nprecision highp float;\n" + sd.shader(SKIES["preetham"], "glsl") + main)
-    subprocess.run(["glslangValidator", str(path)], check=True, capture_output=True)
+    path.write_text("#version 300 es\nprecision highp float;\n" + source + main)
+    done = subprocess.run(["glslangValidator", str(path)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
+
+
+def test_glsl_is_valid_for_webgl2(tmp_path):
+    check_webgl2(sd.shader(SKIES["preetham"], "glsl"), tmp_path)
 
 
 def test_scale_and_space():

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+import skydome as sd
 from skydome.ground.tables import columns
 from skydome.light.colour import xyY_from_xyz, xyz_from_xyY
 from skydome.light.daylight import daylight_basis, daylight_spectrum
@@ -91,3 +92,26 @@ def test_jax_compiles_it():
     xyz = np.array([[95.0, 100.0, 108.0]])
     compiled = jax.jit(lambda colour: daylight_spectrum(colour, TENS))
     np.testing.assert_allclose(compiled(jax.numpy.asarray(xyz)), daylight_spectrum(xyz, TENS), rtol=1e-4)
+
+
+@pytest.mark.parametrize("elevation", [1.0, 4.0, 8.0, 15.0, 20.0, 24.9])
+def test_no_spectrum_is_negative_and_luminance_is_kept(elevation):
+    """The series of a low sun's saturated colours is cut at 0 (before: 2 to 25 % of directions negative somewhere)."""
+    sun = sd.direction(3.0, np.radians(elevation))
+    views = sd.direction(*np.random.default_rng(1).uniform((0, 0), (6.28, 1.57), (500, 2)).T)
+    table = np.arange(380.0, 781.0, 10.0)
+    for turbidity in (2.0, 3.0, 6.0):
+        sky = sd.Preetham(sun, turbidity)
+        light = sky.radiance(views, table)
+        assert light.min() >= 0
+        luminance = xyz_from_radiance(light, table)[..., 1]
+        np.testing.assert_allclose(luminance, sky.luminance(views), rtol=2e-3)
+        np.testing.assert_allclose(sky.radiance(views, [450.0, 650.0]), light[:, [7, 27]], rtol=1e-9, atol=1e-12)
+
+
+def test_above_the_limit_the_quick_form_is_the_whole_one():
+    sky = sd.Preetham(sd.direction(3.0, np.radians(26.0)), 3.0)
+    views = sd.direction(*np.random.default_rng(1).uniform((0, 0), (6.28, 1.57), (500, 2)).T)
+    wavelengths = [400.0, 550.0, 700.0]
+    whole = sd.daylight_spectrum(sky.xyz(views), wavelengths)
+    np.testing.assert_allclose(sky.radiance(views, wavelengths), whole, rtol=1e-9)

@@ -107,7 +107,7 @@ def test_wrong_pixels(pixels, error, words):
 
 
 def test_wrong_unit_and_directions():
-    with pytest.raises(ValueError, match="white_luminance must be positive"):
+    with pytest.raises(ValueError, match="white_luminance must lie in"):
         EnvironmentMap(np.zeros((4, 8, 3)), white_luminance=0.0)
     with pytest.raises(ValueError, match="unit vectors"):
         EnvironmentMap(np.zeros((4, 8, 3))).sample([0.0, 0.0, 2.0])

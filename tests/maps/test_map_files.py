@@ -269,10 +269,10 @@ def test_exr_without_rgb_and_with_nan(tmp_path):
 
 
 def test_primaries_of_files():
-    assert space_of(None, RADIANCE) == RADIANCE
-    assert space_of([0.7, 0.3, 0.2, 0.7, 0.1, 0.1, 0.3, 0.3], SRGB).green == (0.2, 0.7)
-    with pytest.raises(ValueError, match="primaries must be eight numbers, got 3"):
-        space_of([1.0, 2.0, 3.0], SRGB)
+    assert space_of(None, RADIANCE, "PRIMARIES", "a.hdr") == RADIANCE
+    assert space_of([0.7, 0.3, 0.2, 0.7, 0.1, 0.1, 0.3, 0.3], SRGB, "PRIMARIES", "a.hdr").green == (0.2, 0.7)
+    with pytest.raises(ValueError, match="must be eight numbers, got 3"):
+        space_of([1.0, 2.0, 3.0], SRGB, "PRIMARIES", "a.hdr")
 
 
 PROJECTIONS = [

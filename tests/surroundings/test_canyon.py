@@ -155,8 +155,8 @@ def test_radiosity_in_a_cube_with_a_lamp():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"height": 0.0}, "height must be"),
-        ({"width": np.nan}, "width must be"),
+        ({"height": 0.0}, "height must lie"),
+        ({"width": np.nan}, "width must lie"),
         ({"wall_reflectance": 1.0}, "wall_refl"),
     ],
 )

@@ -2,17 +2,18 @@
 
 import warnings
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air import mars
-from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at, require_share
+from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
 from skydome.ground.arrays import Array
+from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
@@ -64,7 +65,7 @@ PREETHAM_HAZE = Aerosol(albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
 
 
 @dataclass(frozen=True)
-class Atmosphere:
+class Atmosphere(Bounded):
     """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
 
     `height` is the top of the air above the ground, m. `sunlight`: a `Spectrum` of the irradiance above the air,
@@ -81,12 +82,16 @@ class Atmosphere:
     height: float = 100_000.0
     sunlight: Spectrum | None = None
     sun_scale: float = 1.0
+    bounds: ClassVar = {
+        "albedo": SHARE,
+        "radius": Range(1.0, 1e12, "m"),
+        "height": Range(1.0, 1e12, "m"),
+        "sunlight": NOT_NEGATIVE,
+        "sun_scale": Range(0.0, 1e9),
+    }
 
     def __post_init__(self) -> None:
-        require_share("albedo", self.albedo)
-        for name in ("radius", "height"):
-            if not 0 < getattr(self, name) < 1e12:
-                raise ValueError(f"{name} must lie in (0, 1e12) m, got {getattr(self, name)}")
+        self.require_bounds()
         if not self.constituents:
             raise ValueError("an atmosphere needs at least one constituent, got none")
 

@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,8 +10,12 @@ from numpy.typing import ArrayLike
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete
+from skydome.ground.arrays import Array, constant, floating
+from skydome.ground.limits.ranges import SHARE, Bounded, Range
 from skydome.light.spectrum import Spectrum
+
+DEPTH = Range(0.0, 1e6)
+"""Of vertical optical depths."""
 
 
 def at(value: Any, wavelengths: Any) -> Array:
@@ -29,29 +33,7 @@ def along(factors: Array, number: Any) -> Array:
     return constant(factors, number) * number[..., None]
 
 
-def known(value: Any) -> np.ndarray:
-    """The values of a number, array or `Spectrum` as NumPy has them; none while a library traces them."""
-    numbers = value.values if isinstance(value, Spectrum) else value
-    return np.asarray(as_numpy(numbers), dtype=np.float64) if is_concrete(numbers) else np.zeros(0)
-
-
-def require_share(name: str, value: ArrayLike | Spectrum) -> None:
-    """ValueError unless a number or `Spectrum` lies in [0, 1] everywhere."""
-    numbers = known(value)
-    wrong = numbers[~((numbers >= 0) & (numbers <= 1))]
-    if wrong.size:
-        raise ValueError(f"{name} must lie in [0, 1], got {wrong.flat[0]:g}")
-
-
-def require_positive(name: str, value: ArrayLike | Spectrum) -> None:
-    """ValueError unless a number or `Spectrum` is finite and not negative."""
-    numbers = known(value)
-    wrong = numbers[~((numbers >= 0) & np.isfinite(numbers))]
-    if wrong.size:
-        raise ValueError(f"{name} must be finite and not negative, got {wrong.flat[0]:g}")
-
-
-class Constituent(ABC):
+class Constituent(Bounded, ABC):
     """A constituent: vertical optical depth, profile, share scattered, phase function.
 
     Depths, columns, albedos and exponents may be arrays (...,) of any library, for the skies that take many airs at
@@ -59,6 +41,10 @@ class Constituent(ABC):
     """
 
     profile: Profile
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        self.require_bounds()
 
     @abstractmethod
     def depth(self, wavelengths: ArrayLike) -> Array:
@@ -87,11 +73,11 @@ class Molecules(Constituent):
     profile: Profile = field(default_factory=lambda: Exponential(8000.0))
     depolarisation: float = 0.0279
     optical_depth: Any = None
-
-    def __post_init__(self) -> None:
-        require_positive("pressure", self.pressure)
-        if self.optical_depth is not None:
-            require_positive("optical_depth", self.optical_depth)
+    bounds: ClassVar = {
+        "pressure": Range(0.0, 1e8, "Pa"),
+        "depolarisation": Range(0.0, 0.49),
+        "optical_depth": DEPTH,
+    }
 
     def depth(self, wavelengths: ArrayLike) -> Array:
         """By Bodhaine et al. 1999, or as given."""
@@ -124,10 +110,7 @@ class Aerosol(Constituent):
     albedo: Any = 0.92
     phase: PhaseLaw = field(default_factory=HenyeyGreenstein)
     profile: Profile = field(default_factory=lambda: Exponential(1500.0))
-
-    def __post_init__(self) -> None:
-        require_positive("optical_depth", self.optical_depth)
-        require_share("aerosol albedo", self.albedo)
+    bounds: ClassVar = {"optical_depth": DEPTH, "angstrom": Range(-10.0, 10.0), "albedo": SHARE}
 
     def depth(self, wavelengths: ArrayLike) -> Array:
         """Angstrom's law, or the given spectrum."""
@@ -158,9 +141,7 @@ class Ozone(Constituent):
 
     column: float = 330.0
     profile: Profile = OZONE_LAYER
-
-    def __post_init__(self) -> None:
-        require_positive("ozone column", self.column)
+    bounds: ClassVar = {"column": Range(0.0, 1e5, "Dobson units")}
 
     def depth(self, wavelengths: ArrayLike) -> Array:
         """Cross section times column."""

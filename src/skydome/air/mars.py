@@ -18,10 +18,11 @@ are taken for its albedo, the air ends at 120 km, no water ice, no refraction.
 
 import numpy as np
 
-from skydome.air.constituents import Aerosol, Molecules, require_positive
+from skydome.air.constituents import DEPTH, Aerosol, Molecules
 from skydome.air.cross_sections import carbon_dioxide_cross_section, carbon_dioxide_king_factor
 from skydome.air.phase_laws import LegendreSeries
 from skydome.air.profiles import Exponential
+from skydome.ground.limits.ranges import require
 from skydome.ground.tables import archive
 from skydome.light.spectrum import Spectrum
 
@@ -34,7 +35,7 @@ GROUND = Spectrum([450.0, 550.0, 650.0], [0.11, 0.17, 0.35])
 
 def gas(pressure: float) -> Molecules:
     """Carbon dioxide over a surface `pressure`, Pa."""
-    require_positive("pressure", pressure)
+    require("pressure", pressure, Molecules.bounds["pressure"])
     wavelengths = np.arange(300.0, 1101.0, 10.0)
     depth = carbon_dioxide_cross_section(wavelengths) * (pressure / (MOLECULE * GRAVITY))
     king = float(carbon_dioxide_king_factor([550.0])[0])
@@ -47,7 +48,7 @@ def dust(optical_depth: float) -> Aerosol:
 
     Spheres are not dust: their asymmetry is 3-6 % above Wolff's, and they scatter more straight back (a glory).
     """
-    require_positive("dust_depth", optical_depth)
+    require("dust_depth", optical_depth, DEPTH)
     table = archive("mars_dust")
     wavelengths = table["wavelength_nm"]
     phase = LegendreSeries(wavelengths, table["moments"])

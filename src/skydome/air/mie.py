@@ -5,17 +5,18 @@ exact Legendre moments of the phase function (Hansen and Travis 1974, section 2;
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.air.constituents import Aerosol, at, require_positive
+from skydome.air.constituents import Aerosol, at
 from skydome.air.phase_laws import LegendreSeries, legendre
 from skydome.air.profiles import Exponential, Profile
 from skydome.air.size_distributions import SizeDistribution
 from skydome.ground.arrays import Array
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum, checked_wavelengths
 
@@ -64,7 +65,7 @@ class MieOptics:
 
 
 @dataclass(frozen=True)
-class MieParticles:
+class MieParticles(Bounded):
     """Spheres of many `sizes` with a complex refractive index n + i k: numbers or `Spectrum`s n and k.
 
     The mean over `count` radii. Against 6000 radii, haze and dust of micrometres: cross sections within 5e-4, phase
@@ -84,12 +85,14 @@ class MieParticles:
     refractive_index: Any = 1.5
     absorption_index: Any = 0.0
     count: int = 1000
+    bounds: ClassVar = {
+        "refractive_index": Range(0.0, 1e3),
+        "absorption_index": Range(0.0, 1e3),
+        "count": Range(8, 100_000),
+    }
 
     def __post_init__(self) -> None:
-        require_positive("refractive_index", self.refractive_index)
-        require_positive("absorption_index", self.absorption_index)
-        if not 8 <= self.count <= 100_000:
-            raise ValueError(f"count of radii must lie in [8, 100000], got {self.count}")
+        self.require_bounds()
 
     def optics(self, wavelengths: ArrayLike) -> MieOptics:
         """Cross sections and phase function at wavelengths (W,), nm; about 0.3 s each for particles of micrometres."""

@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 BAD_INPUT, INTERRUPTED = 2, 130
-DEBUG = "--debug"
+DEBUG, MEMORY = "--debug", "--max-memory"
 REPORT = f"please report this with the command and what {DEBUG} shows"
 FORESEEN = (ValueError, TypeError, ImportError)
 """What says itself what is wrong; any other error is a fault of ours, or of a library before a damaged file."""

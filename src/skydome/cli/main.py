@@ -1,6 +1,8 @@
 """The command `skydome`. Commands import what they need when they run, so that help is quick."""
 
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
@@ -21,7 +23,7 @@ from skydome.cli.commands.sun import sun
 from skydome.cli.commands.terrain import terrain
 from skydome.cli.commands.weather import weather
 from skydome.cli.commands.year import year
-from skydome.cli.endings import DEBUG, end_on_signals, ending
+from skydome.cli.endings import DEBUG, MEMORY, end_on_signals, ending
 from skydome.cli.learning.animate import animate
 from skydome.cli.learning.evaluate import evaluate
 from skydome.cli.learning.fit import fit
@@ -45,10 +47,23 @@ class Commands(TyperGroup):
     def main(self, args: Any = None, *arguments: Any, **choices: Any) -> Any:
         """Run a command and exit: 0, 2 for bad input, 130 when interrupted."""
         words = list(sys.argv[1:] if args is None else args)
-        with ending("skydome", debug=DEBUG in words):
+        with ending("skydome", debug=DEBUG in words), memory_granted(words) as words:
             words = [word for word in words if word != DEBUG]
             code = super().main(words, *arguments, **(choices | {"standalone_mode": False}))
         sys.exit(code if isinstance(code, int) else 0)
+
+
+@contextmanager
+def memory_granted(words: list[str]) -> Iterator[list[str]]:
+    """The words without --max-memory, within the memory that it allows."""
+    if MEMORY not in words:
+        yield words
+        return
+    from skydome.ground.limits.sizes import bytes_of, granting
+
+    place = words.index(MEMORY)
+    with granting(bytes_of("".join(words[place + 1 : place + 2]))):
+        yield words[:place] + words[place + 2 :]
 
 
 app = typer.Typer(
@@ -91,6 +106,9 @@ def skydome(
     version: Annotated[
         bool, typer.Option("--version", callback=show_version, is_eager=True, help="Print the version and leave.")
     ] = False,
+    max_memory: Annotated[  # taken off the line like --debug
+        str, typer.Option(MEMORY, metavar="SIZE", help="Memory that one piece of work may take.")
+    ] = "4G",
     debug: Annotated[  # taken off the line before it is read, wherever it stands
         bool, typer.Option(DEBUG, help="Show where in the program an error came from, before its line.")
     ] = False,

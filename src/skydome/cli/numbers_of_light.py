@@ -19,6 +19,9 @@ def light_facts(scene: Scene) -> dict[str, Any]:
     diffuse, direct = horizontal_xyz(scene.whole)
     normal = sum(float(disc.normal_xyz[1]) * float(factor) for disc, factor in discs_and_rest(scene.whole)[0])
     colours = {"zenith": zenith, "diffuse": diffuse, "global": diffuse + direct}
+    require_light(
+        scene, {"at the zenith": zenith[1], "on the horizontal": diffuse[1] + direct[1], "of the sun": normal}
+    )
     return {
         **moment_facts(scene),
         "model": scene.name,
@@ -36,6 +39,14 @@ def light_facts(scene: Scene) -> dict[str, Any]:
         "duv": {name: float(sd.duv(xyz)) for name, xyz in colours.items()},
         "notes": list(scene.notes),
     }
+
+
+def require_light(scene: Scene, light: dict[str, Any]) -> None:
+    """ValueError for light that is no light: below 0, infinite, or NaN where none was asked for (--check nan)."""
+    for where, value in light.items():
+        given = float(value)
+        if not (0 <= given < math.inf or (math.isnan(given) and scene.whole.check == "nan")):
+            raise ValueError(f"light {where} must be finite and not negative, got {given:g} of {scene.name}")
 
 
 def moment_facts(scene: Scene) -> dict[str, Any]:

@@ -11,12 +11,16 @@ from skydome.dome.painting import paint_rows
 from skydome.dome.sun_on_map import add_disc
 from skydome.ground.arrays import as_numpy, constant, is_array, is_numpy
 from skydome.ground.directions import ZENITH
+from skydome.ground.limits.sizes import require_memory
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import checked_out
 from skydome.skies.sky import Sky
+
+TEXEL_IN_WORK = 24
+"""Bytes that a texel takes while a map is made and brought into its file's colours: twice three floats."""
 
 
 def render(
@@ -55,6 +59,7 @@ def render(
     shown: ColourSky = in_numpy(sky)
     discs, rest = discs_and_rest(shown)
     rows, columns = projection.shape(height)
+    require_memory(rows * columns * TEXEL_IN_WORK, f"a map of {rows} x {columns} texels")
     pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
     if not isinstance(projection, Equirectangular):
         pixels[...] = 0.0  # texels that the layout does not use stay black

@@ -10,33 +10,36 @@ from skydome.dome.bases.harmonic_bases import HemisphericalHarmonicBasis, Legend
 from skydome.dome.bases.lobe_bases import GaussianBasis, SteerableBasis
 from skydome.dome.bases.sky_basis import ColourSkyBasis, SkyBasis
 from skydome.dome.harmonics import size_of
-from skydome.export.formula_shader import Lines, angle_function, horner, matrix_times
+from skydome.export.formula_shader import Code, Lines, angle_function, horner, matrix_times
 from skydome.export.shader_languages import Language, number
+from skydome.export.sky_numbers import Numbers
 from skydome.ground.arrays import as_numpy
 from skydome.light.colour import RGBSpace
 
 PLANAR = "sqrt(max({x} * {x} + {y} * {y}, 1.0e-12))"
 
 
-def basis_shader(sky: SkyBasis, factor: float, language: Language, scale: float, space: RGBSpace) -> list[str]:
-    """The functions of one sky in a basis, its light multiplied by `factor`; ValueError for more skies than one."""
+def basis_code(
+    sky: SkyBasis, factor: float, language: Language, scale: float, space: RGBSpace, numbers: Numbers
+) -> Code:
+    """The code of one sky in a basis, its light multiplied by `factor`; ValueError for more skies than one."""
     rows = as_numpy(sky.coefficients) * factor
     if rows.ndim != (2 if isinstance(sky, ColourSkyBasis) else 1):
         raise ValueError(f"a shader shows one sky: coefficients must have no leading axes, got shape {rows.shape}")
     x, y, z = language.direction
     lines, functions = code(sky.basis, x, y, z)
-    sums = [(f"channel{k}", sum_of(row, functions)) for k, row in enumerate(np.atleast_2d(rows))]
+    sums = [(f"channel{k}", sum_of(row, functions, numbers)) for k, row in enumerate(np.atleast_2d(rows))]
     matrix = scale * (np.asarray(space.from_xyz) if len(sums) == 3 else np.ones((3, 1)))
     channels = [(f"light{k}", f"max(0.0, channel{k})") for k in range(len(sums))]
     seen = ("seen", f"max(0.0, min(1.0, ({z} + 1.0e-6) * 1.0e6))")
-    body = [*lines, *sums, *channels, seen, *matrix_times(matrix, [name for name, _ in channels])]
+    body = [*lines, *sums, *channels, seen, *matrix_times(matrix, [name for name, _ in channels], numbers)]
     helpers = [angle_function(language)] if isinstance(sky.basis, LegendreBasis) else []
-    return [*helpers, language.colour_function("skydome_rgb", body, ("red", "green", "blue"))]
+    return Code(helpers, body)
 
 
-def sum_of(coefficients: np.ndarray, functions: list[str]) -> str:
+def sum_of(coefficients: np.ndarray, functions: list[str], numbers: Numbers) -> str:
     """The expression of a sum of coefficients times functions."""
-    return " + ".join(f"{number(c)} * {f}" for c, f in zip(coefficients, functions, strict=True))
+    return " + ".join(f"{numbers.spelled(c)} * {f}" for c, f in zip(coefficients, functions, strict=True))
 
 
 @singledispatch

@@ -1,8 +1,11 @@
 """The nine-number formula as shader code: coefficients of one sky become constants of a function of direction."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from skydome.export.shader_languages import Language, number
+from skydome.export.sky_numbers import Numbers
 from skydome.light.colour import RGBSpace
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.daylight_sky import Daylight
@@ -56,32 +59,25 @@ def horner(coefficients: np.ndarray, name: str) -> str:
     return text
 
 
-def geometry(language: Language, sun: np.ndarray) -> Lines:
+def geometry(language: Language, sun: np.ndarray, numbers: Numbers) -> Lines:
     """Height of the view, sin^2 of half the angle to the sun, and the angle, by the haversine form."""
     x, y, z = language.direction
     offsets = [("to_x", x, sun[0]), ("to_y", y, sun[1]), ("to_z", z, sun[2])]
     return [
         ("up", f"max({z}, 0.0)"),
-        *[(name, f"{part} - {number(toward)}") for name, part, toward in offsets],
+        *[(name, f"{part} - {numbers.spelled(toward)}") for name, part, toward in offsets],
         ("half_square", "min(0.25 * (to_x * to_x + to_y * to_y + to_z * to_z), 1.0)"),
         ("angle", "skydome_angle(half_square)"),
         ("seen", f"max(0.0, min(1.0, ({z} + 1.0e-6) * 1.0e6))"),
     ]
 
 
-def channels(coefficients: np.ndarray) -> Lines:
+def channels(coefficients: np.ndarray, numbers: Numbers) -> Lines:
     """One constant for each channel, from coefficients (channels, 10)."""
-    calls = []
-    for k, row in enumerate(coefficients):
-        letters = ", ".join(number(value) for value in row)
-        calls.append((f"channel{k}", f"skydome_channel(up, half_square, angle, {letters})"))
-    return calls
-
-
-def weighted(row: np.ndarray, names: list[str]) -> str:
-    """The expression of a weighted sum, without the terms of weight 0."""
-    terms = [f"{number(weight)} * {name}" for weight, name in zip(row, names, strict=True) if weight != 0]
-    return " + ".join(terms) or "0.0"
+    return [
+        (f"channel{k}", f"skydome_channel(up, half_square, angle, {numbers.all(row)})")
+        for k, row in enumerate(coefficients)
+    ]
 
 
 def formula_of(sky: Sky, space: RGBSpace) -> Light:
@@ -97,7 +93,7 @@ def formula_of(sky: Sky, space: RGBSpace) -> Light:
     return light._replace(quantity=quantity.then(float(factor) * np.eye(3)))
 
 
-def rgb_lines(light: Light, scale: float) -> Lines:
+def rgb_lines(light: Light, scale: float, numbers: Numbers) -> Lines:
     """The constants red, green and blue from the channels, which are x, y, Y where the quantity is chromatic."""
     names = [f"channel{k}" for k in range(light.coefficients.shape[-2])]
     lines: Lines = []
@@ -105,18 +101,26 @@ def rgb_lines(light: Light, scale: float) -> Lines:
         lines = [("per_y", "channel2 / max(channel1, 1.0e-6)"), ("big_x", "channel0 * per_y")]
         lines += [("big_z", "(1.0 - channel0 - channel1) * per_y")]
         names = ["big_x", "channel2", "big_z"]
-    return lines + matrix_times(scale * np.asarray(light.quantity.matrix), names)
+    return lines + matrix_times(scale * np.asarray(light.quantity.matrix), names, numbers)
 
 
-def matrix_times(matrix: np.ndarray, names: list[str]) -> Lines:
+def matrix_times(matrix: np.ndarray, names: list[str], numbers: Numbers) -> Lines:
     """Red, green and blue as weighted sums of named values, dark below the horizon."""
     colours = ("red", "green", "blue")
-    return [(colour, f"seen * ({weighted(row, names)})") for colour, row in zip(colours, matrix, strict=True)]
+    return [(colour, f"seen * ({numbers.weighted(row, names)})") for colour, row in zip(colours, matrix, strict=True)]
 
 
-def formula_shader(sky: Sky, language: Language, scale: float, space: RGBSpace) -> list[str]:
-    """The functions of a formula sky, in order."""
+class Code(NamedTuple):
+    """Functions that come first, then constants by name and expression, red, green and blue or the bands among them."""
+
+    helpers: list[str]
+    lines: Lines
+    results: tuple[str, ...] = ("red", "green", "blue")
+
+
+def formula_code(sky: Sky, language: Language, scale: float, space: RGBSpace, numbers: Numbers) -> Code:
+    """The code of a formula sky."""
     light = formula_of(sky, space)
-    body = geometry(language, light.suns[0]) + channels(light.coefficients[0]) + rgb_lines(light, scale)
-    channel = channel_function(language, light.offset, light.floor)
-    return [channel, angle_function(language), language.colour_function("skydome_rgb", body, ("red", "green", "blue"))]
+    body = geometry(language, light.suns[0], numbers) + channels(light.coefficients[0], numbers)
+    helpers = [channel_function(language, light.offset, light.floor), angle_function(language)]
+    return Code(helpers, body + rgb_lines(light, scale, numbers))

@@ -1,11 +1,11 @@
 """The shading languages that skies are written in: how each spells a function, a constant and a vector."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d*(?:e[+-]?\d+)?)(?![\w.])")
 C_FUNCTIONS = {"exp": "expf", "sqrt": "sqrtf", "asin": "asinf", "max": "fmaxf", "min": "fminf", "cos": "cosf"}
-C_FUNCTIONS |= {"sin": "sinf", "log": "logf", "pow": "powf", "atan2": "atan2f", "acos": "acosf"}
+C_FUNCTIONS |= {"floor": "floorf", "sin": "sinf", "log": "logf", "pow": "powf", "atan2": "atan2f", "acos": "acosf"}
 
 
 @dataclass(frozen=True)
@@ -14,7 +14,9 @@ class Language:
 
     `let` declares a constant, `scalar` heads a function of numbers that returns one, `colour` heads the function of a
     direction, `answer` returns three numbers. `direction` spells the components of the direction. `many` heads a
-    function of a direction to `count` numbers, which `put` writes one by one, or `together` returns.
+    function of a direction to `count` numbers, which `put` writes one by one, or `together` returns. Where the sky's
+    numbers are not constants, `reader` declares how they are read, `read` reads one by an index, `whole` makes an index
+    of a number, and `colour_of` and `many_of` head the functions.
     """
 
     name: str
@@ -30,6 +32,11 @@ class Language:
     together: str = ""
     suffix: str = ""
     functions: tuple[tuple[str, str], ...] = ()
+    reader: str = ""
+    read: str = "SKYDOME_NUMBER({k})"
+    whole: str = "int({x})"
+    colour_of: str = ""
+    many_of: str = ""
 
     def spelled(self, code: str) -> str:
         """Code in this language's spelling of numbers and functions."""
@@ -49,6 +56,10 @@ class Language:
         body = [self.constant(*line) for line in lines]
         return "\n".join([f"{head} {{", *body, self.spelled(f"    return {result};"), "}"])
 
+    def reading(self) -> "Language":
+        """The same with functions that read their sky's numbers."""
+        return replace(self, colour=self.colour_of or self.colour, many=self.many_of or self.many)
+
     def colour_function(self, name: str, lines: list[tuple[str, str]], result: tuple[str, str, str]) -> str:
         """The function of a direction: constants by name and expression, then red, green and blue."""
         body = [self.constant(*line) for line in lines]
@@ -65,6 +76,23 @@ class Language:
         return "\n".join([f"{self.many.format(name=name, count=len(results))} {{", *body, *answers, "}"])
 
 
+GLSL_READER = """#ifndef SKYDOME_NUMBER  // number k of the sky: a texture of one float channel, 256 texels wide
+uniform highp sampler2D skydome_numbers;
+#define SKYDOME_NUMBER(k) texelFetch(skydome_numbers, ivec2((k) & 255, (k) >> 8), 0).r
+#endif"""
+HLSL_READER = """#ifndef SKYDOME_NUMBER  // number k of the sky
+Buffer<float> skydome_numbers;
+#define SKYDOME_NUMBER(k) skydome_numbers[k]
+#endif"""
+WGSL_READER = """@group(0) @binding(0) var<storage, read> skydome_numbers: array<f32>;
+
+fn skydome_number(k: i32) -> f32 {
+    return skydome_numbers[k];
+}"""
+ARRAY_READER = """#ifndef SKYDOME_NUMBER  // number k of the sky
+#define SKYDOME_NUMBER(k) numbers[k]
+#endif"""
+
 XYZ = ("direction.x", "direction.y", "direction.z")
 INDEXED = ("direction[0]", "direction[1]", "direction[2]")
 
@@ -72,31 +100,36 @@ GLSL = Language(
     name="glsl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="vec3 {name}(vec3 direction)",
     answer="return vec3({r}, {g}, {b});", direction=XYZ,
-    many="void {name}(vec3 direction, out float values[{count}])",
+    many="void {name}(vec3 direction, out float values[{count}])", reader=GLSL_READER,
 )  # fmt: skip
 HLSL = Language(
     name="hlsl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="float3 {name}(float3 direction)",
     answer="return float3({r}, {g}, {b});", direction=XYZ,
-    many="void {name}(float3 direction, out float values[{count}])",
+    many="void {name}(float3 direction, out float values[{count}])", reader=HLSL_READER,
 )  # fmt: skip
 WGSL = Language(
     name="wgsl", comment="//", let="let {name} = {expression};", argument="{name}: f32",
     scalar="fn {name}({arguments}) -> f32", colour="fn {name}(direction: vec3<f32>) -> vec3<f32>",
     answer="return vec3<f32>({r}, {g}, {b});", direction=XYZ,
     many="fn {name}(direction: vec3<f32>) -> array<f32, {count}>", together="return array<f32, {count}>({all});",
+    reader=WGSL_READER, read="skydome_number({k})", whole="i32({x})",
 )  # fmt: skip
 OSL = Language(
     name="osl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="color {name}(vector direction)",
     answer="return color({r}, {g}, {b});", direction=INDEXED,
-    many="void {name}(vector direction, output float values[{count}])",
+    many="void {name}(vector direction, output float values[{count}])", reader=ARRAY_READER, whole="(int)({x})",
+    colour_of="color {name}(vector direction, float numbers[])",
+    many_of="void {name}(vector direction, float numbers[], output float values[{count}])",
 )  # fmt: skip
 C = Language(
     name="c", comment="//", let="const float {name} = {expression};", argument="float {name}",
     scalar="static float {name}({arguments})", colour="void {name}(const float direction[3], float rgb[3])",
     answer="rgb[0] = {r}; rgb[1] = {g}; rgb[2] = {b};", direction=INDEXED, suffix="f",
-    many="void {name}(const float direction[3], float values[{count}])",
+    many="void {name}(const float direction[3], float values[{count}])", reader=ARRAY_READER, whole="(int)({x})",
+    colour_of="void {name}(const float direction[3], const float numbers[], float rgb[3])",
+    many_of="void {name}(const float direction[3], const float numbers[], float values[{count}])",
     functions=tuple(C_FUNCTIONS.items()),
 )  # fmt: skip
 

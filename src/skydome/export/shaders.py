@@ -7,56 +7,108 @@ import numpy as np
 
 import skydome
 from skydome.dome.bases.sky_basis import SkyBasis
-from skydome.export.basis_shader import basis_shader
-from skydome.export.formula_shader import formula_shader
-from skydome.export.network_shader import bands_shader, network_shader
+from skydome.dome.integrals import discs_and_rest
+from skydome.export.basis_shader import basis_code
+from skydome.export.disc_shader import with_disc
+from skydome.export.formula_shader import Code, formula_code
+from skydome.export.held_shader import held_code
+from skydome.export.network_shader import bands_code, network_code
 from skydome.export.shader_languages import Language, language
+from skydome.export.sky_numbers import CONSTANTS, Numbers, Uniforms
 from skydome.ground.arrays import as_numpy
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.neural.sky import NeuralForm, NeuralSpectralSky
+from skydome.skies.physical.held import HeldSky
 from skydome.skies.sky import Sky
 
 
-def shader(sky: Sky, lang: str = "glsl", *, scale: float = 1.0, space: RGBSpace = SRGB, bands: bool = False) -> str:
+def shader(
+    sky: Sky,
+    lang: str = "glsl",
+    *,
+    scale: float = 1.0,
+    space: RGBSpace = SRGB,
+    bands: bool = False,
+    uniforms: bool = False,
+) -> str:
     """Source of `skydome_rgb(direction)`: linear RGB of the sky toward a unit vector (x east, y north, z up).
 
     (1, 1, 1) means 1 / `scale` cd m-2: games that expose for noon take scale = 1e-4 or so. 0 below the horizon (over
-    the last millionth of the way, so that rounding does not blacken it); without the sun's disc. `lang` is glsl, wgsl,
-    hlsl, osl or c. Skies of the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie), neural skies, and every other
-    sky in a basis (`SkyBasis.fit`); TypeError for others, ValueError for a sky of more than one condition, or at night.
-    With `bands`, for a spectral network: `skydome_bands`, the spectral radiance in each of its bands, 1 meaning
-    1 / `scale` W m-2 sr-1 nm-1.
+    the last millionth of the way, so that rounding does not blacken it). `lang` is glsl, wgsl, hlsl, osl or c. Skies of
+    the nine-number formula (CIE, Perez, Preetham, Hosek-Wilkie), neural skies, and every other sky in a basis
+    (`SkyBasis.fit`); added to a sun's disc or not. TypeError for others, ValueError for a sky of more than one
+    condition, or at night. With `uniforms` the code reads its numbers, which `shader_numbers` gives: one text serves
+    every sun and air of a model, and an animation compiles it once; physical skies too. With `bands`, for a spectral
+    network: `skydome_bands`, the spectral radiance in each of its bands, 1 meaning 1 / `scale` W m-2 sr-1 nm-1.
 
     >>> import skydome as sd
     >>> code = sd.shader(sd.HosekWilkieRGB(sd.direction(azimuth=1.0, elevation=0.7), turbidity=3.0), "wgsl")
     >>> "fn skydome_rgb(direction: vec3<f32>) -> vec3<f32>" in code
     True
     """
-    spelling = language(lang)
+    spelling = language(lang).reading() if uniforms else language(lang)
+    code = sky_code(sky, spelling, scale, space, bands, Uniforms(spelling) if uniforms else CONSTANTS)
+    meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
+    told = f"a {'+'.join(kinds(sky))}, its numbers read" if uniforms else json.dumps(sky.parameters())
+    head = [f"skydome {skydome.__version__}: {told}", meaning_of_bands(spectral(sky), scale) if bands else meaning]
+    head = [f"{spelling.comment} {line}" for line in head]
+    if lang == "c":
+        head.append("#include <math.h>")
+    main = spelling.many_function("skydome_bands", code.lines, list(code.results))
+    if not bands:
+        main = spelling.colour_function("skydome_rgb", code.lines, code.results[:3])  # type: ignore[arg-type]
+    parts = ["\n".join(head), *([spelling.reader] if uniforms else []), *code.helpers, main]
+    return "\n\n".join(parts) + "\n"
+
+
+def shader_numbers(sky: Sky, *, scale: float = 1.0, space: RGBSpace = SRGB, bands: bool = False) -> np.ndarray:
+    """The numbers that the code of `shader(sky, ..., uniforms=True)` reads, float32 (N,), the same in every language.
+
+    >>> import skydome as sd
+    >>> morning, noon = (sd.HosekWilkieRGB(sd.direction(azimuth=2.0, elevation=e), turbidity=3.0) for e in (0.3, 0.9))
+    >>> sd.shader(morning, uniforms=True) == sd.shader(noon, uniforms=True)
+    True
+    >>> shader_numbers(noon).shape
+    (42,)
+    """
+    numbers = Uniforms(language("c"))
+    sky_code(sky, language("c"), scale, space, bands, numbers)
+    return np.asarray(numbers.values, np.float32)
+
+
+def kinds(sky: Sky) -> list[str]:
+    """The class names of a sky's parts."""
+    return [type(part.single[0]).__name__ for part in sky.parts]
+
+
+def sky_code(sky: Sky, spelling: Language, scale: float, space: RGBSpace, bands: bool, numbers: Numbers) -> Code:
+    """The code of a sky; ValueError for one that is black, or a scale that is none."""
     if not 0 < scale < math.inf:
         raise ValueError(f"scale must be positive and finite, got {scale}")
     if not np.all(as_numpy(sky.is_day)):
         raise ValueError("the sun is below the horizon: this sky is black, and no shader is needed")
     if bands:
-        functions, meaning = bands_shader(spectral(sky), spelling, scale), meaning_of_bands(spectral(sky), scale)
-    else:
-        functions = rgb_functions(sky, spelling, scale, space)
-        meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
-    head = [f"skydome {skydome.__version__}: {json.dumps(sky.parameters())}", meaning]
-    head = [f"{spelling.comment} {line}" for line in head]
-    if lang == "c":
-        head.append("#include <math.h>")
-    return "\n".join(head) + "\n\n" + "\n\n".join(functions) + "\n"
+        return bands_code(spectral(sky), spelling, scale, numbers)
+    discs, rest = discs_and_rest(sky)
+    if not discs or len(rest) != 1:
+        return rgb_code(sky, spelling, scale, space, numbers)
+    code = rgb_code(rest[0], spelling, scale, space, numbers)
+    for disc, factor in discs:
+        code = with_disc(code, disc, float(factor), spelling, scale * np.asarray(space.from_xyz), numbers)
+    return code
 
 
-def rgb_functions(sky: Sky, spelling: Language, scale: float, space: RGBSpace) -> list[str]:
-    """The functions of a sky by what it is made of: a network, a basis, or the nine numbers."""
+def rgb_code(sky: Sky, spelling: Language, scale: float, space: RGBSpace, numbers: Numbers) -> Code:
+    """The code of a sky by what it is made of: a network, a basis, a table, or the nine numbers."""
     inner, factor = sky.single
+    shown = inner.for_maps
     if isinstance(sky, NeuralForm):
-        return network_shader(sky, spelling, scale, space)
+        return network_code(sky, spelling, scale, space, numbers)
     if isinstance(inner, SkyBasis):
-        return basis_shader(inner, float(factor), spelling, scale, space)
-    return formula_shader(sky, spelling, scale, space)
+        return basis_code(inner, float(factor), spelling, scale, space, numbers)
+    if isinstance(shown, HeldSky):
+        return held_code(shown, float(factor), spelling, scale, space, numbers)
+    return formula_code(sky, spelling, scale, space, numbers)
 
 
 def spectral(sky: Sky) -> NeuralSpectralSky:

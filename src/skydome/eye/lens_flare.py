@@ -1,6 +1,7 @@
 """Ghosts of a camera's lens: reflections between its surfaces, as many-sided spots on the line from sun to centre."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -8,6 +9,7 @@ from skydome.eye.bright_source import BrightSource, without_sources
 from skydome.eye.eye import Seen
 from skydome.eye.glow import Glow
 from skydome.eye.view import Camera, require_view_of_glare
+from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projection import texel_centre
 
@@ -15,7 +17,7 @@ SOFT = 3.0  # pixels over which a ghost's edge falls
 
 
 @dataclass(frozen=True)
-class LensFlare:
+class LensFlare(Bounded):
     """A simple lens of `ghosts` reflections, seen through an aperture of `blades`; seeded.
 
     `strength` is the share of a source's light that the ghosts take, `haze` what is spread over the whole picture.
@@ -33,14 +35,18 @@ class LensFlare:
     strength: float = 1e-3
     haze: float = 2e-3
     seed: int = 0
+    bounds: ClassVar = {
+        "ghosts": Range(1, 1000),
+        "blades": Range(3, 100),
+        "strength": SHARE,
+        "haze": SHARE,
+        "seed": SEED,
+    }
 
     def __post_init__(self) -> None:
-        if self.ghosts < 1 or self.blades < 3:
-            raise ValueError(f"a lens flare needs ghosts >= 1 and blades >= 3, got {self.ghosts} and {self.blades}")
-        if self.strength < 0 or self.haze < 0 or self.strength + self.haze > 1:
+        self.require_bounds()
+        if self.strength + self.haze > 1:
             raise ValueError(f"strength and haze must be shares of the light, got {self.strength:g} and {self.haze:g}")
-        if self.seed < 0:
-            raise ValueError(f"seed of a lens flare must be 0 or more, got {self.seed}")
 
     def look(self, environment: EnvironmentMap, view: Camera) -> Seen:
         """The map as a camera sees it in a view, without and with the flare of its suns."""

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, floating, namespace
+from skydome.ground.limits.ranges import SHARE, Bounded, Range
 from skydome.ground.units import deg
 
 AGES = (5.0, 100.0)
@@ -132,7 +133,7 @@ def ring_weights(angle: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True)
-class Spencer(PointSpread):
+class Spencer(Bounded, PointSpread):
     """The spread of Spencer et al. 1995 as shares of core, corona, bloom and halo; by default the day's (photopic).
 
     >>> round(float(Spencer()(10 * deg)), 3)
@@ -144,6 +145,13 @@ class Spencer(PointSpread):
     bloom: float = 0.138
     halo: float = 0.0
     wavelength: float = 568.0
+    bounds: ClassVar = dict.fromkeys(("core", "corona", "bloom", "halo"), SHARE) | {
+        "wavelength": Range(100.0, 3000.0, "nm")
+    }
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        self.require_bounds()
 
     def published(self, angle: Array) -> Array:
         """The weighted sum, sr^-1."""

@@ -6,10 +6,12 @@ Here every ring keeps its light: needles only move it along the ring.
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
 from skydome.eye.point_spread import lenticular_halo, ring_weights, rings
+from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
 from skydome.ground.units import deg
 from skydome.light.colour import D65, SRGB, RGBSpace, rgb_from_xyz, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
@@ -24,7 +26,7 @@ NEAR, FAR = 0.05 * deg, 60 * deg
 
 
 @dataclass(frozen=True)
-class Needles:
+class Needles(Bounded):
     """`count` radial needles of random direction, brightness and reach (seeded) as a factor on a spread.
 
     Each is `width` radians across (angle about the source) and is washed out by the source's `radius`. The factor's
@@ -38,12 +40,17 @@ class Needles:
     radius: float = 0.0
     contrast: float = 0.65
     extent: float = 12 * deg
+    bounds: ClassVar = {
+        "count": Range(1, 100_000),
+        "seed": SEED,
+        "width": Range(1e-6, 1.0, "rad"),
+        "radius": Range(0.0, 1.0, "rad"),
+        "contrast": SHARE,
+        "extent": Range(1e-6, 10.0, "rad"),
+    }
 
     def __post_init__(self) -> None:
-        if self.count < 1 or not 0 <= self.contrast <= 1:
-            raise ValueError(f"needles need a count >= 1 and a contrast in [0, 1], got {self.count}, {self.contrast}")
-        if self.seed < 0:
-            raise ValueError(f"seed of the needles must be 0 or more, got {self.seed}")
+        self.require_bounds()
 
     @property
     def angles(self) -> np.ndarray:

@@ -10,12 +10,15 @@ from numpy.typing import ArrayLike
 
 from skydome.ground.directions import checked_elevation, checked_turn, direction, in_degrees
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import FINITE, require
+from skydome.ground.limits.sizes import require_memory
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import texel_centre
 
-PIXELS = 16384
+PIXELS, PIXEL_IN_WORK = 16384, 48
+"""Of a side, at most; and bytes that a pixel takes while it is painted."""
 FIELDS_OF_VIEW = (1.0, 150.0)
 SIDES = (16, 8192)
 """Degrees and pixels of the views whose glare can be painted."""
@@ -31,10 +34,8 @@ class Frame(ABC):
     elevation: float = 0.0
 
     def __post_init__(self) -> None:
-        if not math.isfinite(self.azimuth):
-            raise ValueError(f"azimuth of a view must be finite radians, got {self.azimuth}")
-        if not math.isfinite(self.elevation):
-            raise ValueError(f"elevation of a view must be finite radians, got {self.elevation}")
+        for name in ("azimuth", "elevation"):
+            require(f"{name} of a view", getattr(self, name), FINITE)
         checked_turn(self.azimuth, "azimuth of a view")
         checked_elevation(self.elevation, "elevation of a view")
 
@@ -137,10 +138,10 @@ class Camera(Frame):
         rows, columns = self.shape
         if not (1 <= columns <= PIXELS and 1 <= rows <= PIXELS):
             raise ValueError(f"a picture must have 1 to {PIXELS} pixels a side, got {columns} x {rows}")
+        require_memory(rows * columns * PIXEL_IN_WORK, f"a picture of {columns} x {rows}")
         if not 0 < self.field_of_view < 170 * deg:
             raise ValueError(f"the field of view must lie in (0, 170) degrees, got {in_degrees(self.field_of_view)}")
-        if not (math.isfinite(self.east) and math.isfinite(self.north)):
-            raise ValueError(f"the camera's place must be finite, got {self.east:g}, {self.north:g}")
+        require("the camera's place", (self.east, self.north), FINITE)
         if not 0 < self.above_ground < 1e5:
             raise ValueError(
                 f"the camera must stand above the ground, by 0 to 100 km, got {self.above_ground:g} m above it"

@@ -16,5 +16,6 @@
 - arguments          What is asked of arguments before any work: kinds, files that are there, shapes
 - extras             Libraries that not every user needs: each comes with an extra, and is asked for before any work
 - writing            Files that appear whole or not at all: the one writer
+- limits/            Ranges of numbers, sizes
 - files/             Folders that appear whole, contents hashed
 """

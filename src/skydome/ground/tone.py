@@ -2,10 +2,12 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
+
+from skydome.ground.limits.ranges import Bounded, Range
 
 MIDDLE_GREY = 0.18
 BLEACH = 4.0  # peak value at which a colour has lost a quarter of its saturation
@@ -20,7 +22,7 @@ class Curve(ABC):
 
 
 @dataclass(frozen=True)
-class Reinhard(Curve):
+class Reinhard(Bounded, Curve):
     """x (1 + x / white^2) / (1 + x), held at 1 from `white` on (Reinhard et al. 2002, eq. 4).
 
     >>> Reinhard(white=4.0)(np.array([0.0, 1.0, 4.0, 1e9])).tolist()
@@ -28,6 +30,11 @@ class Reinhard(Curve):
     """
 
     white: float = 8.0
+    bounds: ClassVar = {"white": Range(1e-3, 1e12)}
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        self.require_bounds()
 
     def __call__(self, x: Any) -> np.ndarray:
         """Display-linear value of each scene value, same shape."""

@@ -7,12 +7,14 @@ K of section 4.1 | beta / (alpha cos t) | with the printed sign transmittance wo
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.haze.integrals import (
     Coefficients,
     FewNodes,
@@ -87,13 +89,18 @@ def hermite(ray: Ray, own: Kind, other: Kind) -> Array:
 
 
 @dataclass(frozen=True)
-class AdaptiveQuadrature(Integration):
+class AdaptiveQuadrature(Bounded, Integration):
     """I1 and I2 by scipy's adaptive Gauss-Kronrod rule, the reference; NumPy only, slow.
 
     `tolerance`: relative, of every integral.
     """
 
     tolerance: float = 1e-9
+    bounds: ClassVar = {"tolerance": Range(1e-15, 1.0)}
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        self.require_bounds()
 
     def integrals(self, ray: Ray, air: Coefficients) -> tuple[Array, Array]:
         """I1 and I2, m, each (..., C), float64."""

@@ -12,6 +12,7 @@ from skydome.ground.arrays import as_numpy, constant
 from skydome.ground.compiled import shared
 from skydome.ground.directions import ZENITH, direction, tangent_frame, unit
 from skydome.ground.extras import required
+from skydome.ground.limits.sizes import require_count
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import EARTH_RADIUS
 from skydome.haze.aerial_perspective import AirLight
@@ -30,7 +31,7 @@ REFRACTION = 7 / 6
 SECTORS, RINGS = 16, 8
 """Azimuths of the skyline about each vertex, and elevations at which the sky is taken."""
 
-MOST_LIT = 100_000
+MOST_LIT, MOST_SAMPLES = 100_000, 4096
 """Vertices whose skylight is computed; between them it is interpolated."""
 
 ROWS_AT_A_TIME = 64
@@ -98,6 +99,7 @@ def render_terrain(
 
 def require_samples(samples: int) -> None:
     """ValueError unless a square number."""
+    require_count(samples, MOST_SAMPLES, "samples a pixel")
     if samples < 1 or round(samples**0.5) ** 2 != samples:
         raise ValueError(f"samples must be a square number such as 1, 4, 9 or 16, got {samples}")
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
+from skydome.ground.files.reading import arrays_in, decoding
 from skydome.ground.units import deg
 from skydome.land.elevation import Elevation, Extent, without_holes
 
@@ -33,6 +34,11 @@ def spacing(degrees_x: float, degrees_y: float, latitude: float) -> tuple[float,
 def cells_that_fit() -> int:
     """How many cells of a model go into the machine's memory, at least 4 million: 40 million of 16 GiB."""
     return max(4_000_000, int(SHARE_OF_MEMORY * memory() / BYTES_A_CELL))
+
+
+def most_bytes() -> int:
+    """Bytes of arrays, unpacked, that a file may hold: what a machine reads beside its copies in float64."""
+    return min(1 << 30, int(SHARE_OF_MEMORY / 4 * memory()))
 
 
 def memory() -> int:
@@ -157,32 +163,15 @@ def georeference(source: Any, middle: tuple[float, float], stretch: tuple[float,
     return {"dx": dx, "dy": dy, "extent": extent} | place
 
 
-def npz(path: Path) -> Any:
-    """An open .npz file; ValueError for one that is none."""
-    from zipfile import BadZipFile
-
-    try:
-        stored = np.load(path, allow_pickle=False)
-    except (ValueError, EOFError, BadZipFile) as error:
-        raise ValueError(f"cannot read {path.name}, which is damaged or no .npz") from error
-    if not hasattr(stored, "files"):
-        raise ValueError(f"{path.name} must be an .npz of named arrays, got a single array")
-    return stored
-
-
 def read_npz(path: Path, unit: str | None, cells: int) -> Elevation:
     """Arrays `elevation`, `dx`, `dy` (m, or degrees if `xmin`, `xmax`, `ymin`, `ymax` are there); NaN is a hole."""
-    with npz(path) as stored:
-        missing = [name for name in ("elevation", "dx", "dy") if name not in stored.files]
-        if missing:
-            raise ValueError(f"{path.name} must hold elevation, dx and dy; missing: {', '.join(missing)}")
-        try:
-            raw = np.asarray(stored["elevation"], dtype=np.float64)
-        except ValueError as error:
-            raise ValueError(f"elevation in {path.name} must be numbers") from error
+    edges = {"xmin", "xmax", "ymin", "ymax"}
+    stored = arrays_in(path, "an elevation model", {"elevation", "dx", "dy"}, most_bytes(), edges)
+    with decoding(path, "an elevation model"):
+        raw = np.asarray(stored["elevation"], dtype=np.float64)
         dx, dy = abs(float(stored["dx"])), abs(float(stored["dy"]))
         known: dict[str, Any] = {"dx": dx, "dy": dy}
-        if {"xmin", "xmax", "ymin", "ymax"} <= set(stored.files):
+        if edges <= set(stored):
             west, east, south, north = (float(stored[name]) for name in ("xmin", "xmax", "ymin", "ymax"))
             known = {"latitude": (south + north) / 2, "longitude": (west + east) / 2}
             known["dx"], known["dy"] = spacing(dx, dy, known["latitude"])

@@ -1,7 +1,9 @@
 """Colour: CIE xyY, XYZ and linear or encoded RGB of the spaces in which sky images are kept."""
 
+import math
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,6 +32,15 @@ IEC_XYZ_TO_SRGB = np.array(
     ]
 )
 """The printed XYZ to linear sRGB matrix of IEC 61966-2-1, amendment 1; see `SRGB`."""
+
+
+LEAST_Y, LEAST_AREA = 1e-4, 1e-6
+"""Of chromaticities, and of the triangles that primaries and white make: below, their matrices mean nothing."""
+
+
+def area(a: Chromaticity, b: Chromaticity, c: Chromaticity) -> float:
+    """Twice the signed area of a triangle of chromaticities."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 
 
 def xyz_of_white(white: Chromaticity) -> np.ndarray:
@@ -61,6 +72,17 @@ class RGBSpace:
     blue: Chromaticity
     white: Chromaticity
     adapted_from: Chromaticity | None = None
+
+    def __post_init__(self) -> None:
+        """Validate only: three primaries span the colours, and the white is a mixture of all of them."""
+        numbers = self.chromaticities
+        if not all(math.isfinite(number) for number in numbers):
+            raise ValueError(f"primaries and white must be finite numbers, got {numbers}")
+        if any(abs(y) < LEAST_Y for y in numbers[1::2]):
+            raise ValueError(f"y of primaries and white must not be 0, got {numbers}")
+        triangles = combinations((self.red, self.green, self.blue, self.white), 3)
+        if any(abs(area(*each)) < LEAST_AREA for each in triangles):
+            raise ValueError(f"primaries and white must be three colours and one between them, got {numbers}")
 
     @property
     def to_xyz(self) -> np.ndarray:

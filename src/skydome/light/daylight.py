@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, constant, floating, limited, namespace, safe_divide, settled
+from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, settled
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
 
@@ -41,8 +41,8 @@ def daylight_spectrum(xyz: Array, wavelengths: Array) -> Array:
 
     Y of `xyz` is in cd m-2 and is kept: the spectrum over 380-780 nm integrates to it. Chromaticity is matched as well
     as the digits of A.5 allow (within 1e-4 in x and y from D40 to D250). Black gives 0. Far from the
-    daylight locus (saturated colours, no sky's) parts of the spectrum are negative: it is not clipped, so that it stays
-    differentiable and keeps Y. Any array library.
+    daylight locus (saturated colours, as a published sky has near a low sun) parts of the series are negative: they are
+    cut at 0 and the rest is raised, so that Y is kept and the colour is paler. Any array library.
 
     S = S0 + M1 S1 + M2 S2 (Preetham 1999, A.5), here with M1 and M2 multiplied through by their common denominator and
     by X + Y + Z: numerator and denominator are then linear in XYZ, and the pole of M1 and M2 cancels.
@@ -52,8 +52,13 @@ def daylight_spectrum(xyz: Array, wavelengths: Array) -> Array:
     [117.9, 100.0, 80.4]
     """
     xyz = floating(xyz)
-    relative, luminance = (constant(weights.T, xyz) for weights in daylight_weights(wavelengths))
-    return safe_divide(xyz[..., 1], xyz @ luminance)[..., None] * (xyz @ relative)
+    table = columns("preetham_1999_table_2")["wavelength_nm"]
+    (relative, _), (whole, row) = daylight_weights(wavelengths), daylight_weights(table)
+    xp = namespace(xyz)
+    one = xp.ones_like(xyz[..., 0])
+    upright = xp.where(xyz @ constant(row, xyz) < 0, -one, one)[..., None] * xyz  # the denominator's sign
+    luminance = at_least(upright @ constant(whole.T, xyz), 0.0) @ constant(xyz_weights(table)[:, 1], xyz)
+    return safe_divide(xyz[..., 1], luminance)[..., None] * at_least(upright @ constant(relative.T, xyz), 0.0)
 
 
 def daylight_weights(wavelengths: ArrayLike) -> tuple[np.ndarray, np.ndarray]:

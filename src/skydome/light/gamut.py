@@ -4,6 +4,9 @@ import numpy as np
 
 from skydome.light.colour import RGBSpace
 
+ROWS = 64
+"""Of a map that are looked at together: little memory beside the map's."""
+
 
 def outside(rgb: np.ndarray) -> np.ndarray:
     """True where a colour (..., 3) lies outside its space: a part is below 0; boolean (...,)."""
@@ -23,13 +26,19 @@ def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
     >>> float(seen.min()), bool(np.isclose(seen @ SRGB.to_xyz[1], [2.0, 1.0, -0.5] @ SRGB.to_xyz[1]))
     (0.0, True)
     """
-    low = outside(rgb)
-    if not low.any():
-        return rgb
-    colours = rgb[low].astype(np.float64)
+    parts = [slice(k, k + ROWS) for k in range(0, len(rgb), ROWS)] if rgb.ndim > 2 else [slice(None)]
+    result = rgb
+    for part in parts:
+        low = outside(rgb[part])
+        if low.any():
+            result = rgb.copy() if result is rgb else result
+            result[part][low] = moved(rgb[part][low].astype(np.float64), space)
+    return result
+
+
+def moved(colours: np.ndarray, space: RGBSpace) -> np.ndarray:
+    """Colours (N, 3) with a negative part, toward white."""
     white = np.maximum(colours @ space.to_xyz[1], 0.0)[:, None]
     least = colours.min(axis=-1, keepdims=True)
-    moved = white * (colours - least) / (white - least)  # the way is -least / (white - least) of the whole
-    result = rgb.copy()
-    result[low] = moved
+    result: np.ndarray = white * (colours - least) / (white - least)  # the way is -least / (white - least) of the whole
     return result

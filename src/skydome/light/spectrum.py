@@ -7,12 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant, floating, settled
+from skydome.ground.limits.ranges import Sampled
 from skydome.ground.tables import columns
 from skydome.ground.units import LUMINOUS_EFFICACY
 
 
 @dataclass(frozen=True, eq=False)
-class Spectrum:
+class Spectrum(Sampled):
     """A spectrum known at `wavelengths` (W,), nm, by `values` (..., W), in whatever unit the values have.
 
     ValueError unless the wavelengths increase and everything is finite.
@@ -34,6 +35,12 @@ class Spectrum:
         for name, array in (("wavelengths", wavelengths), ("values", values)):
             array.flags.writeable = False
             object.__setattr__(self, name, array)
+
+    @property
+    def samples(self) -> np.ndarray:
+        """The values."""
+        values: np.ndarray = self.values
+        return values
 
     def at(self, wavelengths: ArrayLike) -> np.ndarray:
         """Values at `wavelengths` (V,), nm: linear between the samples, the end values held outside; shape (..., V)."""

@@ -10,12 +10,14 @@ from typing import Any
 import numpy as np
 
 from skydome.ground import exr, hdr
+from skydome.ground.limits.ranges import LIGHT, Range, require
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps import projections
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.files import OWN, PLACE, RADIANCE_EFFICACY
 from skydome.maps.projection import Projection
 from skydome.maps.targets import target as target_named
+from skydome.sun.place import Place
 
 SPACES = (SRGB, REC2020, ACESCG, RADIANCE)
 LAYOUTS: dict[str, Any] = {name: getattr(projections, name) for name in projections.__all__}
@@ -87,39 +89,81 @@ def load_exr(path: str | PathLike[str], target: str | None, projection: Projecti
     """The map in an OpenEXR file; sRGB primaries where the file names none."""
     pixels, header = exr.read(path, finite=True)
     layout = projection_of(header, target, projection, path)
-    facts: dict[str, Any] = {name: float(header[name]) for name in PLACE if name in header}
+    facts: dict[str, Any] = {name: stated(header, name, path) for name in PLACE if name in header}
     moment = time_of(header)
     facts |= {"time": moment} if moment else {}
-    white = float(header.get("whiteLuminance", 1.0))
-    space = space_of(header.get("chromaticities"), SRGB)
-    return EnvironmentMap(pixels, layout, space, facts | notes_of(header), white if white > 0 else 1.0)
+    white = stated(header, "whiteLuminance", path) if "whiteLuminance" in header else 1.0
+    space = space_of(header.get("chromaticities"), SRGB, "chromaticities", path)
+    return of_light(EnvironmentMap(pixels, layout, space, facts | notes_of(header), white), path)
 
 
 def load_hdr(path: str | PathLike[str], target: str | None, projection: Projection | None) -> EnvironmentMap:
     """The map in a Radiance picture; Radiance's own primaries where the file names none."""
     pixels, text = hdr.read(path)
     layout = projection_of(text, target, projection, path)
-    stated = [float(value) for value in text["PRIMARIES"].split()] if "PRIMARIES" in text else None
-    facts = {name: float(text[name]) for name in PLACE if name in text} | notes_of(text)
+    primaries = text["PRIMARIES"].split() if "PRIMARIES" in text else None
+    facts = {name: stated(text, name, path) for name in PLACE if name in text} | notes_of(text)
     facts |= {"time": text["time"]} if "time" in text else {}
-    white = RADIANCE_EFFICACY / float(text["EXPOSURE"])
-    return EnvironmentMap(pixels, layout, space_of(stated, RADIANCE), facts, white)
+    white = RADIANCE_EFFICACY / stated(text, "EXPOSURE", path)
+    space = space_of(primaries, RADIANCE, "PRIMARIES", path)
+    return of_light(EnvironmentMap(pixels, layout, space, facts, white), path)
 
 
 READERS = {".exr": load_exr, ".hdr": load_hdr}
 
 
-def space_of(chromaticities: Sequence[float] | None, silent: RGBSpace) -> RGBSpace:
-    """The RGB space with those CIE x, y of red, green, blue, white: one of ours where they agree; `silent` for None."""
-    if chromaticities is None:
+STATED = {
+    **Place.bounds,
+    "whiteLuminance": Range(1e-12, 1e12, "cd m-2"),
+    "EXPOSURE": Range(1e-12, 1e12),
+    "chromaticities": Range(-5.0, 5.0),
+    "PRIMARIES": Range(-5.0, 5.0),
+}
+"""What the numbers of a header may be."""
+
+
+def stated(header: Mapping[str, Any], name: str, path: str | PathLike[str]) -> float:
+    """A number of a header; ValueError with its name where it is none, or can mean nothing."""
+    return number_of(header[name], name, path)
+
+
+def number_of(value: Any, name: str, path: str | PathLike[str]) -> float:
+    """The value as a number in the range of that name."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = float("nan")
+    require(f"{name} in the header of {Path(path).name}", number, STATED[name])
+    return number
+
+
+def of_light(environment: EnvironmentMap, path: str | PathLike[str]) -> EnvironmentMap:
+    """The map; ValueError where its numbers, in cd m-2, are beyond all light."""
+    size = max(float(environment.pixels.max(initial=0.0)), -float(environment.pixels.min(initial=0.0)))
+    peak = size * environment.white_luminance
+    if not peak <= LIGHT.high:
+        raise ValueError(f"light must be at most {LIGHT.high:g} cd m-2, got {peak:g} in {Path(path).name}")
+    return environment
+
+
+def space_of(values: Sequence[Any] | None, silent: RGBSpace, name: str, path: str | PathLike[str]) -> RGBSpace:
+    """The RGB space with those CIE x, y of red, green, blue, white: one of ours where they agree; `silent` for None.
+
+    ValueError with the header's `name` for them where they span no colours.
+    """
+    if values is None:
         return silent
-    if len(chromaticities) != 8:
-        raise ValueError(f"primaries must be eight numbers, got {len(chromaticities)}")
+    if len(values) != 8:
+        raise ValueError(f"{name} in the header of {Path(path).name} must be eight numbers, got {len(values)}")
+    chromaticities = [number_of(value, name, path) for value in values]
     for space in SPACES:
         if np.allclose(space.chromaticities, chromaticities, rtol=0, atol=1e-3):
             return space
     red, green, blue, white = ((float(x), float(y)) for x, y in np.reshape(chromaticities, (4, 2)))
-    return RGBSpace("as its file states", red, green, blue, white)
+    try:
+        return RGBSpace("as its file states", red, green, blue, white)
+    except ValueError as error:
+        raise ValueError(f"{name} in the header of {Path(path).name}: {error}") from error
 
 
 def notes_of(header: Mapping[str, Any]) -> dict[str, Any]:

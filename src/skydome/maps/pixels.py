@@ -1,20 +1,22 @@
 """What a map consists of: pixels with a layout, a colour space and a unit."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import Projection
 from skydome.maps.resample import density, resample
 
+WHITE = Range(1e-15, 1e15, "cd m-2")
+
 
 @dataclass(frozen=True, eq=False)
-class MapPixels:
+class MapPixels(Bounded):
     """Linear RGB pixels (H, W, 3) float32 or float64 in which (1, 1, 1) means `white_luminance` cd m-2.
 
     What is written into files; `EnvironmentMap` is what one works with.
@@ -25,6 +27,7 @@ class MapPixels:
     space: RGBSpace = SRGB
     metadata: Mapping[str, Any] = field(default_factory=dict)
     white_luminance: float = 1.0
+    bounds: ClassVar = {"white_luminance": WHITE}
 
     def __post_init__(self) -> None:
         pixels = np.asarray(self.pixels)
@@ -34,8 +37,7 @@ class MapPixels:
             raise ValueError(
                 f"pixels must have shape (rows, columns, 3) as {self.projection} has it, got {pixels.shape}"
             )
-        if not 0 < self.white_luminance < math.inf:
-            raise ValueError(f"white_luminance must be positive cd m-2, got {self.white_luminance}")
+        self.require_bounds()
 
     @property
     def height(self) -> int:

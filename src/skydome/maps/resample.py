@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from skydome.ground.limits.sizes import require_memory
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.integrals import row_chunks
 from skydome.maps.lookup import bilinear, nearest
@@ -26,6 +27,7 @@ def resample(
     Memory: both maps and about 100 MB.
     """
     rows, columns = destination.shape(height)
+    require_memory(rows * columns * 3 * 16 + pixels.nbytes, f"a map of {rows} x {columns} texels")
     copied = copied_columns(source, destination, pixels.shape[0], height)
     if copied is not None:
         return pixels[:, copied]

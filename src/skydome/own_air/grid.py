@@ -11,25 +11,30 @@ from hashlib import sha256
 from itertools import product
 from os import PathLike
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.constituents import Aerosol
+from skydome.air.constituents import Aerosol, Ozone
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.arrays import Array
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.ground.files.folders import folder_appearing
+from skydome.ground.files.reading import toml_in
+from skydome.ground.limits.ranges import SHARE, Bounded, Range
+from skydome.ground.limits.sizes import require_count, require_memory
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.years.stores.cluster import cluster_client
 
+AXES = ("turbidities", "albedos", "elevations", "zenith_angles", "azimuths", "wavelengths")
 FORM = 2
 """Number of the store's layout and of the simulation's meaning; a change makes old stores another grid."""
 
 
 @dataclass(frozen=True)
-class Grid:
+class Grid(Bounded):
     """Turbidities, ground albedos, sun elevations (degrees), wavelengths (nm), and views: zenith angles x azimuths.
 
     The usual one is Hosek and Wilkie's whole grid: turbidity 1-10, albedo 0 and 1, elevations (n / 45)^3 90 degrees for
@@ -45,39 +50,39 @@ class Grid:
     streams: int = 16
     ozone: float = 330.0
     asymmetry: float = field(default=0.76)
+    bounds: ClassVar = DiscreteOrdinates.bounds | {
+        "turbidities": Range(1, 64),
+        "albedos": SHARE,
+        "elevations": Range(0, 90, "degrees"),
+        "wavelengths": Range(300, 1100, "nm"),
+        "zenith_angles": Range(0, 89.9, "degrees"),
+        "azimuths": Range(0, 360, "degrees"),
+        "ozone": Ozone.bounds["column"],
+        "asymmetry": Range(-0.99, 0.99),
+    }
 
     def __post_init__(self) -> None:
-        limits = {
-            "turbidities": (1, 64),
-            "albedos": (0, 1),
-            "elevations": (0, 90),
-            "wavelengths": (300, 1100),
-            "zenith_angles": (0, 89.9),
-            "azimuths": (0, 360),
-        }
-        for name, (low, high) in limits.items():
-            values = getattr(self, name)
-            object.__setattr__(self, name, tuple(float(v) for v in values))
-            wrong = [v for v in getattr(self, name) if not low <= v <= high]
-            if wrong or not values:
-                raise ValueError(
-                    f"{name} must lie in [{low}, {high}] and not be empty, got {wrong[0] if wrong else '[]'}"
-                )
+        for name in AXES:
+            values = np.ravel(getattr(self, name)).astype(np.float64)
+            if not values.size or len(set(values.tolist())) < values.size:
+                raise ValueError(f"{name} must be one number or more, each once, got {values.tolist()}")
+            object.__setattr__(self, name, tuple(values.tolist()))
+        self.require_bounds()
+        if self.streams % 2:
+            raise ValueError(f"streams must be even, got {self.streams}")
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Grid":
         """From a .toml file whose keys are this class's; ValueError for a key that is none."""
-        import tomllib
-
-        try:
-            held = tomllib.loads(Path(path).read_text("utf-8"))
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"{path} is no TOML: {error}") from error
+        held = toml_in(path, "a grid of skies")
         unknown = sorted(set(held) - set(cls.__dataclass_fields__))
         if unknown:
             known = ", ".join(cls.__dataclass_fields__)
             raise ValueError(f"a grid's keys must be among {known}, got {unknown[0]!r}")
-        return cls(**held)
+        try:
+            return cls(**held)
+        except (TypeError, OverflowError) as error:
+            raise ValueError(f"a grid's values must be numbers or lists of them, got other things in {path}") from error
 
     @property
     def pieces(self) -> list[tuple[int, int]]:
@@ -87,8 +92,7 @@ class Grid:
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the whole: turbidities, albedos, elevations, zenith angles, azimuths, wavelengths."""
-        parts = (self.turbidities, self.albedos, self.elevations, self.zenith_angles, self.azimuths, self.wavelengths)
-        return tuple(len(part) for part in parts)
+        return tuple(len(getattr(self, name)) for name in AXES)
 
     def fingerprint(self) -> str:
         """A hash of everything that the light depends on."""
@@ -136,7 +140,7 @@ def make_frame(grid: Grid, path: Path) -> None:
     group = zarr.open_group(path, mode="w-")
     chunks = (1, 1, *grid.shape[2:])
     group.create_array("radiance", shape=grid.shape, chunks=chunks, dtype="float32", fill_value=np.nan)
-    for name in ("turbidities", "albedos", "elevations", "zenith_angles", "azimuths", "wavelengths"):
+    for name in AXES:
         values = np.asarray(getattr(grid, name))
         group.create_array(name, shape=values.shape, dtype="float64")[:] = values
     group.attrs.update(
@@ -182,6 +186,8 @@ def simulate(
     """
     required("nanodisort", "rt", "a simulation")
     required("zarr", "scale", "a simulation")
+    require_count(len(grid.pieces), 100_000, "pieces of a grid")
+    require_memory(np.prod(grid.shape[2:], dtype=float) * 24, "a piece of the grid")
     path = Path(path)
     report = progress or (lambda done, of: None)
     if scheduler is None and workers == 0:

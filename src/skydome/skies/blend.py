@@ -3,8 +3,8 @@
 from typing import Any
 
 from skydome.ground.arrays import floating
+from skydome.ground.limits.ranges import Range, require
 from skydome.skies.sky import Combination, Sky, combine
-from skydome.skies.validity import Range, require
 
 
 def blend(clear: Sky, overcast: Sky, fraction: Any) -> Combination:

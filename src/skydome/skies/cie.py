@@ -7,6 +7,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
+from skydome.ground.limits.ranges import LIGHT, Range
 from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.level import CLEAR_SHAPE
@@ -41,6 +42,7 @@ class CIE(LuminanceFormulaSky):
     """
 
     type: int | np.ndarray = 12
+    bounds: ClassVar = {"type": Range(1, 15)}
     source: ClassVar[str] = "CIE S 011/E:2003 (ISO 15469:2004)"
 
     def __post_init__(self) -> None:
@@ -90,6 +92,7 @@ class CIEIntermediate(SunlitSky):
     """
 
     zenith_luminance: Any
+    bounds: ClassVar = {"zenith_luminance": LIGHT}
     source: ClassVar[str] = "Nakamura, Oki and Hayashi 1985; CIE 110-1994"
 
     def relative(self, view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:

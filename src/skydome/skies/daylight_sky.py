@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.ground.arrays import Array, at_least, constant, namespace, safe_divide
+from skydome.ground.limits.ranges import SHARE
 from skydome.light.colour import D65, SRGB, Chromaticity, RGBSpace, rgb_from_xyz, xyz_from_xyY
 from skydome.light.daylight import LOCUS, daylight_chromaticity, daylight_spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
@@ -64,6 +65,7 @@ class Daylight(DressedSky, SpectralSky):
 
     sky: Sky
     chromaticity: Chromaticity = D65
+    bounds: ClassVar = {"chromaticity": SHARE}
     source: ClassVar[str] = "CIE daylight series (Preetham 1999, A.5)"
 
     def __post_init__(self) -> None:

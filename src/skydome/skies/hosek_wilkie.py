@@ -18,6 +18,7 @@ from skydome.air.atmosphere import USUAL_ALBEDO
 from skydome.ground.arrays import Array, constant, floating, limited, namespace, settled
 from skydome.ground.directions import elevation
 from skydome.ground.interpolation import weights
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.tables import archive
 from skydome.ground.units import LUMINOUS_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
@@ -26,7 +27,7 @@ from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.quantity import Quantity
 from skydome.skies.formula.sky_tables import SkyTables, blended, control_weights
-from skydome.skies.validity import Range, plain, require
+from skydome.skies.validity import plain
 
 BANDS = np.arange(320.0, 721.0, 40.0)
 """Wavelengths of the spectral form's bands, nm."""

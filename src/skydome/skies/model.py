@@ -64,6 +64,11 @@ class Model:
         return issubclass(self.kind, (FormulaSky, NeuralForm))
 
     @property
+    def has_table_shader(self) -> bool:
+        """Whether a shader of it reads a table."""
+        return False
+
+    @property
     def level_name(self) -> str | None:
         """What the class calls its zenith luminance; None for a model that knows its level."""
         return next((name for name in ("zenith_luminance", "value") if name in self.needed), None)
@@ -139,6 +144,11 @@ class AirModel(Model):
     """A sky of air of a turbidity over a ground, its colours held in a table."""
 
     takes: tuple[str, ...] = ("turbidity", "albedo")
+
+    @property
+    def has_table_shader(self) -> bool:
+        """Its light is held in a table."""
+        return True
 
     def air(self, given: Mapping[str, Any]) -> Any:
         """Air of the usual aerosol."""

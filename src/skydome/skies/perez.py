@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from skydome.ground.arrays import Array, constant, floating
+from skydome.ground.limits.ranges import Range
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.perez_formula import from_perez
-from skydome.skies.validity import Range
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +31,7 @@ class Perez(LuminanceFormulaSky):
     d: Any
     e: Any
     ranges: ClassVar = {"b": Range(-float("inf"), 0.0)}  # else exp(b / cos t) has no bound at the horizon
+    bounds: ClassVar = {name: Range(-1e6, 1e6) for name in "abce"} | {"d": Range(-1e6, 100.0)}  # exp(d g) overflows
     source: ClassVar[str] = "Perez, Seals and Michalsky 1993"
 
     def relative_coefficients(self) -> Array:

@@ -23,6 +23,7 @@ from skydome.ground.arrays import (
     safe_sqrt,
 )
 from skydome.ground.directions import zenith_angle
+from skydome.ground.limits.ranges import Range
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.light.irradiance import GREATEST_IRRADIANCE
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky, Recipe
@@ -38,7 +39,6 @@ from skydome.skies.formula.perez_table import (
     table_rows,
 )
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.validity import Range
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +72,7 @@ class PerezAllWeather(LuminanceFormulaSky):
         "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "extraterrestrial_irradiance": Range(1.0, 2000.0, "W m-2"),
+        "dew_point": Range(-90.0, 60.0, "degrees C"),
     }
     source: ClassVar[str] = "Perez, Seals and Michalsky 1993; efficacies Perez et al. 1990"
 
@@ -126,7 +127,7 @@ class PerezAllWeather(LuminanceFormulaSky):
         """Luminous efficacy of a component of the irradiance, lm W-1, shape (...,) (Perez 1990, Table 4)."""
         epsilon, delta, zenith = self.conditions()
         xp = namespace(epsilon)
-        water = xp.exp(0.07 * floating(self.dew_point, like=epsilon) - 0.075)  # precipitable water, cm
+        water = xp.exp(0.07 * floating(self.parameter("dew_point"), like=epsilon) - 0.075)  # precipitable water, cm
         k = table_rows("perez_1990_efficacy", [f"{component}_{x}" for x in "abcd"], clearness_bin(epsilon), epsilon)
         if component == "direct":
             beam = k[..., 0] + k[..., 1] * water + k[..., 2] * xp.exp(5.73 * zenith - 5) + k[..., 3] * delta

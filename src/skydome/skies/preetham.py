@@ -12,16 +12,16 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arguments import require_file
-from skydome.ground.arrays import Array, constant, namespace
-from skydome.ground.directions import zenith_angle
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.directions import elevation, zenith_angle
+from skydome.ground.files.reading import decoding, json_in
+from skydome.ground.limits.ranges import Range
 from skydome.ground.writing import appearing
-from skydome.light.daylight import daylight_weights
+from skydome.light.daylight import daylight_spectrum, daylight_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import ColourFormulaSky, Recipe
 from skydome.skies.formula.perez_formula import evaluate, from_perez
 from skydome.skies.formula.quantity import Quantity
-from skydome.skies.validity import Range
 
 # Rows A B C D E, columns slope in T and constant (Preetham 1999, A.2).
 LETTERS_Y = ((0.1787, -1.4630), (-0.3554, 0.4275), (-0.0227, 5.3251), (0.1206, -2.5771), (-0.0670, 0.3703))
@@ -40,6 +40,10 @@ AUTHORS_y = (
 # Slope and constant in T of what multiplies tan chi, and of what is added, kcd m-2 (A.2).
 ZENITH_Y = (4.0453, -4.9710, -0.2155, 2.4192)
 CHI = (-1 / 120, 4 / 9)  # slope in T and constant of chi over the sun's elevation times 2 (A.2)
+
+
+SATURATED = float(np.radians(25.0))
+"""Elevation of the sun, rad, above which no colour of the sky is beyond the daylight series; found up to 15 degrees."""
 
 
 @dataclass(frozen=True)
@@ -82,11 +86,9 @@ class PreethamNumbers:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "PreethamNumbers":
         """From a .json file; ValueError for one that holds something else."""
-        try:
-            held = json.loads(require_file(path, "Preetham's numbers").read_text("utf-8"))
+        held = json_in(path, "numbers of Preetham's model")
+        with decoding(path, "numbers of Preetham's model"):
             return cls(**held)
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{path} holds no numbers of Preetham's model: {error}") from error
 
     @classmethod
     def named(cls, name: str) -> "PreethamNumbers":
@@ -201,5 +203,22 @@ class Preetham(ColourFormulaSky, SpectralSky):
         return self.coefficients(), Quantity(matrix, chromatic=True, balance=balance)
 
     def radiance(self, directions: Array, wavelengths: Any, out: np.ndarray | None = None) -> Array:
-        """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5). See `light`."""
-        return self.light(directions, self.radiance_recipe(wavelengths), out)
+        """Spectral radiance toward each direction at 380-780 nm, W m-2 sr-1 nm-1, shape (..., W) (A.5). See `light`.
+
+        Near a low sun the sky's colours are too saturated for the daylight series: what is negative there is cut at 0,
+        luminance kept (`daylight_spectrum`).
+        """
+        light = self.light(directions, self.radiance_recipe(wavelengths), out)
+        if self.series_is_positive:
+            return light
+        positive = daylight_spectrum(self.xyz(directions), wavelengths)
+        if not is_numpy(light):
+            return positive
+        light[...] = positive
+        return light
+
+    @property
+    def series_is_positive(self) -> bool:
+        """Whether the sun is known to stand too high for colours beyond the daylight series."""
+        known = self.used in (PreethamNumbers.PRINTED, PreethamNumbers.AUTHORS) and self.check == "raise"
+        return known and is_concrete(self.sun) and bool((as_numpy(elevation(floating(self.sun))) > SATURATED).all())

@@ -7,9 +7,9 @@ import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import LIGHT
 from skydome.skies.formula.level import require_one_level
 from skydome.skies.sky import Sky
-from skydome.skies.validity import Range
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,7 +22,7 @@ class Uniform(Sky):
     """
 
     value: Any
-    ranges: ClassVar = {"value": Range(0.0, float("inf"), "cd m-2")}
+    bounds: ClassVar = {"value": LIGHT}
     source: ClassVar[str] = "definition"
 
     def luminance(self, directions: Array) -> Array:
@@ -47,6 +47,7 @@ class MoonSpencer(Sky):
 
     zenith_luminance: Any = field(default=None, kw_only=True)
     illuminance: Any = field(default=None, kw_only=True)
+    bounds: ClassVar = {"zenith_luminance": LIGHT, "illuminance": LIGHT}
     source: ClassVar[str] = "Moon and Spencer 1942; Preetham 1999, eq. 2"
 
     def __post_init__(self) -> None:

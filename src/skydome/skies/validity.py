@@ -3,56 +3,16 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from os import PathLike
-from typing import Any, ClassVar, Literal, NamedTuple, cast
+from typing import Any, ClassVar, Literal, cast
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_array, is_compiling, is_concrete, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, floating, is_array, limited, namespace
+from skydome.ground.limits.ranges import FINITE, Bounded, Range, inside, numbers_of, require
 from skydome.light.spectrum import Spectrum
 
 Check = Literal["raise", "clamp", "nan"]
 CHECKS = ("raise", "clamp", "nan")
-
-
-class Range(NamedTuple):
-    """The interval [low, high] in which a parameter may lie, with its unit."""
-
-    low: float
-    high: float
-    unit: str = ""
-
-    @property
-    def is_finite(self) -> bool:
-        """Whether it has both ends."""
-        return bool(np.isfinite([self.low, self.high]).all())
-
-    def __str__(self) -> str:
-        unit = f" {self.unit}" if self.unit else ""
-        return f"[{self.low:g}, {self.high:g}]{unit}"
-
-
-def numbers_of(value: Any) -> Any:
-    """The values of a `Spectrum`, anything else as it is."""
-    return value.values if isinstance(value, Spectrum) else value
-
-
-def inside(value: Array, interval: Range) -> Array:
-    """True where value lies in the interval (NaN does not), shape of value."""
-    return (value >= interval.low) & (value <= interval.high)
-
-
-def require(name: str, value: Any, interval: Range) -> None:
-    """ValueError in one line unless every element of value lies in the interval; tracers are let through."""
-    if is_compiling():
-        return
-    value = floating(numbers_of(value))
-    if not is_concrete(value):
-        return
-    numbers = as_numpy(value)
-    wrong = ~((numbers >= interval.low) & (numbers <= interval.high))
-    if wrong.any():
-        first = np.asarray(numbers)[wrong].flat[0]
-        raise ValueError(f"{name} must lie in {interval}, got {first:g}")
 
 
 def applied(value: Any, interval: Range, check: Check, like: Any = None) -> Array:
@@ -79,8 +39,11 @@ def is_one(weight: Any) -> bool:
 
 
 @dataclass(frozen=True, eq=False)
-class Ranged:
-    """A dataclass of parameters with ranges, which it can tell; `check` says what happens outside (see `Sky`)."""
+class Ranged(Bounded):
+    """A dataclass of parameters with ranges, which it can tell; `check` says what happens outside (see `Sky`).
+
+    Beyond its `bounds` a number is refused whatever `check` says; what is no finite number cannot be clamped.
+    """
 
     ranges: ClassVar[Mapping[str, Range]] = {}
     check: Check = field(default="raise", kw_only=True)
@@ -89,9 +52,9 @@ class Ranged:
         """Validate only; nothing is changed."""
         require_check(self.check)
         namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
-        if self.check == "raise":
-            for name, interval in self.limits.items():
-                require(name, getattr(self, name), interval)
+        self.require_bounds()
+        for name, interval in self.limits.items() if self.check != "nan" else ():
+            require(name, getattr(self, name), interval if self.check == "raise" else FINITE)
 
     @property
     def limits(self) -> Mapping[str, Range]:

@@ -1,15 +1,14 @@
 """A place on the earth."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from skydome.ground.arguments import require_kind
-
-LIMITS = {"latitude": (-90.0, 90.0), "longitude": (-180.0, 180.0), "altitude": (-500.0, 40000.0)}
-"""What a `Place` allows: degrees, degrees, metres (the pressure formula ends above 40 km)."""
+from skydome.ground.limits.ranges import Bounded, Range
 
 
 @dataclass(frozen=True)
-class Place:
+class Place(Bounded):
     """A place: latitude and longitude in degrees, north and east positive, altitude in metres above the sea.
 
     >>> Place(latitude=45.07, longitude=7.69, altitude=240)
@@ -19,12 +18,14 @@ class Place:
     latitude: float
     longitude: float
     altitude: float = 0.0
+    bounds: ClassVar = {
+        "latitude": Range(-90.0, 90.0),
+        "longitude": Range(-180.0, 180.0),
+        "altitude": Range(-500.0, 40_000.0),  # the pressure formula ends above
+    }
 
     def __post_init__(self) -> None:
-        for name, (low, high) in LIMITS.items():
-            value = getattr(self, name)
-            if not low <= value <= high:
-                raise ValueError(f"{name} must lie in [{low:g}, {high:g}], got {value}")
+        self.require_bounds()
 
     @classmethod
     def required(cls, value: object) -> None:

@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions, checked_turn, direction
+from skydome.ground.limits.ranges import FINITE, SHARE, Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.sky import Sky
 from skydome.surroundings.bands import Bands, dihedral, level_axis
@@ -22,8 +23,11 @@ from skydome.surroundings.radiosity import crossed_strings, interreflected, inte
 POINTS_PER_STRIP = 3
 
 
+LENGTH = Range(1e-9, 1e9)
+
+
 @dataclass(frozen=True, eq=False)
-class StreetCanyon(Scene):
+class StreetCanyon(Bounded, Scene):
     """A street `width` m wide between walls of `height` m that runs toward `azimuth`, radians; metres, or any one unit.
 
     Across the street x runs from -width / 2, the wall at the left of one who looks along the azimuth, to width / 2.
@@ -41,18 +45,20 @@ class StreetCanyon(Scene):
     floor_reflectance: Any = 0.0
     wall_reflectance: Any = 0.0
     strips: int = 16
+    bounds: ClassVar = {
+        "height": LENGTH,
+        "width": LENGTH,
+        "azimuth": FINITE,
+        "floor_reflectance": SHARE,
+        "wall_reflectance": SHARE,
+        "strips": Range(1, 4096),
+    }
 
     def __post_init__(self) -> None:
-        for name in ("height", "width"):
-            if not (np.isfinite(getattr(self, name)) and getattr(self, name) > 0):
-                raise ValueError(f"{name} must be above 0, got {getattr(self, name)}")
-        if not np.isfinite(self.azimuth):
-            raise ValueError(f"azimuth of the street must be finite radians, got {self.azimuth}")
+        self.require_bounds()
         checked_turn(self.azimuth, "azimuth of the street")
         for name in ("floor_reflectance", "wall_reflectance"):
             check_shares(name, getattr(self, name), BELOW_ONE)
-        if self.strips < 1:
-            raise ValueError(f"strips must be at least 1, got {self.strips}")
 
     @property
     def along(self) -> np.ndarray:

@@ -7,9 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
+from skydome.ground.files.reading import arrays_in
 from skydome.ground.writing import appearing
 
 State = dict[str, np.ndarray]
+MOST_BYTES = 1 << 30
 
 
 @dataclass(frozen=True)
@@ -34,10 +36,9 @@ class Journal:
         if not self.path.exists():
             return None
         try:
-            with np.load(self.path, allow_pickle=False) as stored:
-                state = dict(stored)
-        except Exception as error:
-            raise ValueError(f"{self.path.name} is damaged ({error}); remove it to begin anew") from error
+            state = arrays_in(self.path, "a training's state", {"about"}, MOST_BYTES, None)
+        except ValueError as error:
+            raise ValueError(f"{error}; remove it to begin anew") from error
         if str(state.pop("about", "")) != self.about:
             raise ValueError(f"{self.path.name} belongs to another training; remove it to begin anew")
         return state

@@ -129,13 +129,13 @@ def test_files_and_their_damage(tmp_path):
                for a, b in zip(p, q, strict=True))  # fmt: skip
     whole = path.read_bytes()
     path.write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(ValueError, match="not a network file"):
+    with pytest.raises(ValueError, match="a network file"):
         load_network(path)
     path.write_bytes(whole.replace(b"sqrt_turbidity", b"sqrt_turbidite"))
     with pytest.raises(ValueError, match="network inputs must be among"):
         load_network(path)
     path.write_bytes(whole.replace(b'"output"', b'"outputt"')[:-1])
-    with pytest.raises(ValueError, match=r"net\.safetensors is"):
+    with pytest.raises(ValueError, match=r"net.safetensors.*damaged"):
         load_network(path)
     with pytest.raises(ValueError, match="network must be a file or one of"):
         sd.NeuralSky.load("mars", SUN)
@@ -147,7 +147,7 @@ def test_files_and_their_damage(tmp_path):
         (((np.zeros((4, 2)), np.zeros(4)), (np.zeros((3, 4)), np.zeros(3))), 1.0, "do not fit together"),
         (((np.zeros((3, 1)), np.full(3, np.nan)),), 1.0, "must be finite"),
         (((np.zeros((2, 1)), np.zeros(2)),), 1.0, "must give 3 values"),
-        (((np.zeros((3, 1)), np.zeros(3)),), 0.0, "scale must be positive"),
+        (((np.zeros((3, 1)), np.zeros(3)),), 0.0, "scale must lie in"),
     ],
 )
 def test_networks_that_cannot_be(layers, scale, message):

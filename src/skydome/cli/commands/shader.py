@@ -1,8 +1,9 @@
 """`skydome shader`: a sky as a function of direction in a shading language."""
 
+import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from typer import Option
 
@@ -10,6 +11,12 @@ from skydome.cli.doors import require_output
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
+
+if TYPE_CHECKING:
+    import numpy as np
+
+TEXELS = 256
+"""In a row of the texture that has the numbers."""
 
 
 @taking(SkyOptions)
@@ -22,10 +29,15 @@ def shader(
         str | None,
         Option(metavar="KIND,ORDER", help="The sky, of any model, as a sum of functions: steerable,4; gaussians,32."),
     ] = None,
+    uniforms: Annotated[
+        Path | None,
+        Option(metavar="FILE", help="The code reads its numbers; this sky's go into FILE: .json, or .bin of float32."),
+    ] = None,
+    disc: Annotated[bool, Option("--disc", help="With the sun's disc.")] = False,
     output: Annotated[Path | None, Option("--output", "-o", help="File; stdout without it.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Write a sky, without the sun's disc, as shader source: skydome_rgb(direction), or skydome_bands."""
+    """Write a sky as shader source: skydome_rgb(direction), or skydome_bands."""
     import skydome as sd
     from skydome.export.shader_languages import language
     from skydome.ground.writing import appearing
@@ -33,11 +45,17 @@ def shader(
     language(lang)  # refused before the sky is made
     kind, order = ("", 0) if basis is None else kind_and_order(basis)
     if basis is None:
-        require_shader(options.model)
+        require_shader(options.model, uniforms is not None)
     require_output(output, "the shader's file")
+    if uniforms is not None:
+        require_output(uniforms, "the numbers' file", (".json", ".bin"))
     scene = scene_of(options)
-    sky = scene.sky if basis is None else sd.SkyBasis.fit(scene.sky, kind, order)
-    source = sd.shader(sky, lang, scale=scale, bands=bands)
+    sky: sd.Sky = scene.sky if basis is None else sd.SkyBasis.fit(scene.sky, kind, order)
+    if disc and scene.disc is not None:
+        sky = sky + scene.disc
+    source = sd.shader(sky, lang, scale=scale, bands=bands, uniforms=uniforms is not None)
+    if uniforms is not None:
+        write_numbers(uniforms, sd.shader_numbers(sky, scale=scale, bands=bands))
     if output is None and not as_json:
         sys.stdout.write(source)
         return
@@ -61,11 +79,27 @@ def kind_and_order(text: str) -> tuple[str, int]:
     return kind, int(order)
 
 
-def require_shader(name: str) -> None:
+def write_numbers(path: Path, numbers: "np.ndarray") -> None:
+    """The numbers as JSON, or as float32 in rows of 256, the last one filled up with zeros: a texture's texels."""
+    import numpy as np
+
+    from skydome.ground.writing import appearing
+
+    with appearing(path) as beside:
+        if path.suffix == ".json":
+            Path(beside).write_text(json.dumps([float(f"{value:.9g}") for value in numbers]))
+        else:
+            Path(beside).write_bytes(np.pad(numbers, (0, -numbers.size % TEXELS)).astype("<f4").tobytes())
+
+
+def require_shader(name: str, uniforms: bool) -> None:
     """ValueError for a model that no shader can be written of, before its sky is made."""
     from skydome.skies.catalogue import CATALOGUE, model_named
 
-    if not model_named(name).has_shader:
+    model = model_named(name)
+    if model.has_table_shader and not uniforms:
+        raise ValueError(f"the shader of {name} reads a table: give --uniforms FILE for it (or --basis steerable,4)")
+    if not (model.has_shader or model.has_table_shader):
         known = ", ".join(model.name for model in CATALOGUE if model.has_shader and not model.name[-1].isdigit())
         raise ValueError(
             f"shaders know the nine-number formula and networks: {known}, cie-1 ... cie-15; got {name} "

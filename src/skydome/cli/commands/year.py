@@ -10,10 +10,11 @@ from skydome.cli.doors import STORE, progress, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
+from skydome.ground.limits.sizes import require_count
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
-MOST_WORKERS = 1024
+MOST_WORKERS, MOST_WAVELENGTHS = 1024, 2000
 
 
 def year(
@@ -111,6 +112,7 @@ def steps(text: str) -> list[float]:
     low, high, step = numbers(text, 3, "--wavelengths", "380,720,20")
     if not 0 < low < high or not 0 < step <= high - low:
         raise ValueError(f"--wavelengths must be FROM,TO,STEP with FROM < TO, got {text!r}")
+    require_count((high - low) / step + 1, MOST_WAVELENGTHS, "wavelengths")
     return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
 
 
@@ -133,7 +135,7 @@ def is_sites(path: Path) -> bool:
     from skydome.ground.arguments import require_file
 
     with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
-        cells = [cell.strip() for cell in file.readline().split(",")]
+        cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
     return "file" in cells and "name" in cells
 
 

@@ -10,6 +10,8 @@ from skydome.cli.map_file import Half
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
+MOST_FRAMES = 100_000
+
 Layout = Annotated[
     str, Option(help="How the maps lie in their files: latlong, angular, mirror-ball, fisheye or fisheye-equisolid.")
 ]
@@ -38,7 +40,9 @@ def animate(
     import skydome as sd
     from skydome.captures.captures import layout_named
     from skydome.captures.frames import Job, run, write_masks
+    from skydome.ground.limits.sizes import require_count
 
+    require_count(frames, MOST_FRAMES, "frames")
     if frames < 2:
         raise ValueError(f"frames must be at least 2, got {frames}")
     layout_named(layout)

@@ -16,9 +16,9 @@ from skydome.dome.bases.sky_basis import ColourSkyBasis, beside
 from skydome.dome.harmonics import harmonics
 from skydome.ground.arrays import Array, constant, floating, namespace, settled
 from skydome.ground.directions import checked_directions, zenith_angle
+from skydome.ground.limits.ranges import require
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.preetham import Preetham
-from skydome.skies.validity import require
 from skydome.sun.day import is_day
 
 ORDER = 5

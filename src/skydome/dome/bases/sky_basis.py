@@ -1,7 +1,7 @@
 """A sky in a basis of few functions: a sky itself, with its errors, irradiance from its numbers, and rotation."""
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from skydome.dome.bases.lobe_bases import GaussianBasis, SteerableBasis
 from skydome.dome.integrals import discs_and_rest, own_array, planes
 from skydome.ground.arrays import Array, Constant, as_numpy, at_least, constant, floating, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
+from skydome.ground.limits.ranges import FINITE
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.sky import Sky, combine
 
@@ -55,6 +56,7 @@ class SkyBasis(Sky):
 
     basis: Basis
     coefficients: Array
+    bounds: ClassVar = {"coefficients": FINITE}
 
     def __post_init__(self) -> None:
         """Validate only."""

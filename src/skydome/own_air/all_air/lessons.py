@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from skydome.ground.files.reading import arrays_in
 from skydome.ground.writing import appearing, require_place
 from skydome.own_air.all_air.airs import AIRS, batch
 from skydome.own_air.all_air.places import FINEST, SCALE, Places
@@ -19,6 +20,7 @@ from skydome.skies.physical.cosine_series import view_nodes
 
 VIEWS, AZIMUTHS, SUNS = 32, 25, 56
 """Nodes of half a sky, and suns of each air: one in each of so many even parts, from -18 to 90 degrees."""
+MOST_BYTES = 1 << 30
 HELD = 10
 """Of so many airs one is never trained on."""
 
@@ -109,11 +111,9 @@ class Lessons:
 
 def cases(path: Path, number: int, low: float, high: float) -> tuple[np.ndarray, ...]:
     """The arrays of `Lessons` of one file, its numbers (N, 7)."""
-    try:
-        with np.load(path) as stored:
-            air, sines, rest, once = (stored[name] for name in ("air", "sines", "rest", "once"))
-    except (OSError, ValueError, KeyError) as error:
-        raise ValueError(f"{path.name} is no file of lessons: {error}") from error
+    names = ("air", "sines", "rest", "once")
+    held_in_file = arrays_in(path, "a file of lessons", set(names), MOST_BYTES)
+    air, sines, rest, once = (held_in_file[name] for name in names)
     own = (sines >= low) & (sines <= high)
     count = int(own.sum())
     held = (np.arange(AIRS) + AIRS * number) * 7919 % HELD == 3

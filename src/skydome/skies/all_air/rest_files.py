@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from skydome.ground.files.reading import decoding, tensors_in
 from skydome.ground.tables import DATA
 from skydome.skies.all_air.rest import Rest, RestNetwork
 
@@ -16,25 +17,12 @@ MOST_BYTES = 4 * 1024**2
 
 def load_rest(path: str | PathLike[str]) -> Rest:
     """The networks of a file; ValueError in one line for a file that is damaged or something else."""
-    from safetensors import SafetensorError, safe_open
-
-    file = Path(path)
-    if not file.is_file():
-        raise FileNotFoundError(f"the network file must exist, got {path}")
-    if file.stat().st_size > MOST_BYTES:
-        raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
-    try:
-        with safe_open(str(file), "numpy") as stored:
-            about = stored.metadata() or {}
-            tensors = {name: np.asarray(stored.get_tensor(name), dtype=np.float64) for name in stored.keys()}  # noqa: SIM118
-    except SafetensorError as error:
-        raise ValueError(f"{file.name} is not a network file (safetensors): {error}") from error
+    about, stored = tensors_in(path, MOST_BYTES)
     if about.get("format") != FORMAT:
-        raise ValueError(f"{file.name} is not a file of the sky's rest: format {about.get('format')!r}")
-    try:
+        raise ValueError(f"{Path(path).name} is not a file of the sky's rest: format {about.get('format')!r}")
+    with decoding(path, "a file of the sky's rest"):
+        tensors = {name: np.asarray(values, dtype=np.float64) for name, values in stored.items()}
         return Rest(network_of(tensors, "day"), network_of(tensors, "twilight"))
-    except (KeyError, ValueError) as error:
-        raise ValueError(f"{file.name} is damaged: {error}") from error
 
 
 def network_of(tensors: dict[str, np.ndarray], name: str) -> RestNetwork:

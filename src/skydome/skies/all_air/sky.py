@@ -11,6 +11,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import Range, inside
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
@@ -24,7 +25,6 @@ from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.sky import Sky
-from skydome.skies.validity import Range, inside
 
 LOWEST = float(np.sin(np.radians(-18.0)))
 """Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""

@@ -7,7 +7,7 @@ from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.profiles import STANDARD_1976, STRATOSPHERIC_LAYER
 from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
-from skydome.skies.validity import Range
+from skydome.ground.limits.ranges import Range
 
 HIGH = 10_000.0
 """Mean height, m, from which an aerosol counts as stratospheric."""

@@ -18,6 +18,7 @@ from skydome.ground.arrays import (
     namespace,
 )
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import LIGHT
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, Light, checked_out, chosen, many_skies
@@ -182,6 +183,7 @@ class LuminanceFormulaSky(FormulaSky):
 
     zenith_luminance: Any = field(default=None, kw_only=True)
     illuminance: Any = field(default=None, kw_only=True)
+    bounds: ClassVar = {"zenith_luminance": LIGHT, "illuminance": LIGHT}
 
     def __post_init__(self) -> None:
         """Validate only: the level, the parameters, and that the formula has light."""

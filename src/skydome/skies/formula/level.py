@@ -23,14 +23,10 @@ FEW_NODES = 4
 
 
 def require_one_level(model: str, zenith_luminance: ArrayLike, illuminance: ArrayLike) -> None:
-    """ValueError unless exactly one of the two levels is given, and it is not negative."""
+    """ValueError unless exactly one of the two levels is given."""
     if (zenith_luminance is None) == (illuminance is None):
         given = "neither" if zenith_luminance is None else "both"
         raise ValueError(f"{model} takes either zenith_luminance (cd m-2) or illuminance (lx), got {given}")
-    name, value = ("illuminance", illuminance) if zenith_luminance is None else ("zenith_luminance", zenith_luminance)
-    from skydome.skies.validity import Range, require
-
-    require(name, value, Range(0.0, float("inf")))
 
 
 def levelled(

@@ -6,14 +6,12 @@ They stand at nodes of turbidity and ground albedo, linear between them, for ban
 
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 
-from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array, at_least, constant, limited, namespace
+from skydome.ground.files.reading import arrays_in
 from skydome.ground.interpolation import weights
 
 BINOMIAL = np.array([1.0, 5.0, 10.0, 10.0, 5.0, 1.0])
@@ -107,30 +105,15 @@ class SkyTables:
         >>> SkyTables.load(f"{folder}/one.npz").control.shape
         (1, 1, 6, 1, 10)
         """
-        held = arrays_of(Path(path), {"sky_tables", *cls.__dataclass_fields__})
+        held: dict[str, Any] = dict(
+            arrays_in(path, "sky tables", {"sky_tables", *cls.__dataclass_fields__}, MOST_BYTES)
+        )
+        wrong = sorted(name for name, value in held.items() if value.dtype.kind not in "fiu")
+        if wrong:
+            raise ValueError(f"{path} is damaged: {wrong[0]} must be numbers, got {held[wrong[0]].dtype}")
         if held.pop("sky_tables").tolist() != FORM:
             raise ValueError(f"{path} holds sky tables of another form than {FORM}")
         lowest = held.pop("lowest")
         if lowest.shape != ():
             raise ValueError(f"{path} is damaged: the lowest sun must be one number, got shape {lowest.shape}")
         return cls(**held, lowest=float(lowest))
-
-
-def arrays_of(path: Path, names: set[str]) -> dict[str, np.ndarray]:
-    """The named arrays of numbers in a .npz file, read without pickles, at most `MOST_BYTES` of them."""
-    try:
-        with ZipFile(require_file(path, "sky tables")) as archive:
-            size = sum(item.file_size for item in archive.infolist())
-        if size > MOST_BYTES:
-            raise ValueError(f"{path} unpacks to {size} bytes; sky tables take at most {MOST_BYTES}")
-        with np.load(path, allow_pickle=False) as stored:
-            missing = sorted(names - set(stored.files))
-            if missing:
-                raise ValueError(f"{path} holds no sky tables: it lacks {', '.join(missing)}")
-            held: dict[str, Any] = {name: stored[name] for name in names}
-    except (BadZipFile, EOFError, KeyError, MemoryError) as error:
-        raise ValueError(f"{path} is no .npz file that can be read whole: {error}") from error
-    wrong = sorted(name for name, value in held.items() if value.dtype.kind not in "fiu")
-    if wrong:
-        raise ValueError(f"{path} is damaged: {wrong[0]} must be numbers, got {held[wrong[0]].dtype}")
-    return held

@@ -3,11 +3,12 @@
 import json
 from importlib.resources import as_file
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from skydome.ground.arguments import require_file
+from skydome.ground.files.reading import decoding, tensors_in
 from skydome.ground.tables import DATA
 from skydome.ground.writing import appearing
 from skydome.skies.neural.network import OUTPUTS, Network
@@ -36,25 +37,15 @@ def save_network(path: str | PathLike[str], network: Network, provenance: dict[s
 
 def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:
     """A network and its provenance from a file; ValueError in one line for a file that is not one, or too large."""
-    from safetensors import SafetensorError, safe_open
-
-    file = require_file(path, "a network")
-    if file.stat().st_size > MOST_BYTES:
-        raise ValueError(f"{file.name} is too large for a sky network: {file.stat().st_size} of {MOST_BYTES} bytes")
-    try:
-        with safe_open(str(file), "numpy") as stored:
-            about = stored.metadata() or {}
-            tensors = {name: stored.get_tensor(name) for name in stored.keys()}  # noqa: SIM118 (not a dict)
-    except SafetensorError as error:
-        raise ValueError(f"{file.name} is not a network file (safetensors): {error}") from error
-    return network_from(file.name, about, tensors)
+    about, tensors = tensors_in(path, MOST_BYTES)
+    return network_from(Path(path).name, about, tensors)
 
 
 def network_from(name: str, about: dict[str, str], tensors: dict[str, np.ndarray]) -> tuple[Network, dict[str, Any]]:
     """The network that header and tensors describe; ValueError where something is missing or does not fit."""
     if about.get("format") != "skydome network 1":
         raise ValueError(f"{name} is not a skydome network: format {about.get('format')!r}")
-    try:
+    with decoding(name, "a sky network"):
         layers = tuple((tensors[f"weights_{k}"], tensors[f"biases_{k}"]) for k in range(len(tensors) // 2))
         network = Network(
             tuple(json.loads(about["features"])),
@@ -64,8 +55,6 @@ def network_from(name: str, about: dict[str, str], tensors: dict[str, np.ndarray
             tuple(json.loads(about["bands"])),
         )
         return network, json.loads(about["provenance"])
-    except (KeyError, json.JSONDecodeError) as error:
-        raise ValueError(f"{name} is damaged: {error} is missing or unreadable") from error
 
 
 def shipped_network(name: str) -> tuple[Network, dict[str, Any]]:

@@ -6,7 +6,7 @@ Satilmis, Bashford-Rogers, Debattista and Chalmers, "A machine-learning-driven s
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike
@@ -23,6 +23,7 @@ from skydome.ground.arrays import (
     settled,
 )
 from skydome.ground.directions import half_chord_squared
+from skydome.ground.limits.ranges import Bounded, Range
 
 
 class Conditions(NamedTuple):
@@ -98,7 +99,7 @@ OUTPUTS: dict[str, Output] = {"rational": RationalOutput(), "exponential": Expon
 
 
 @dataclass(frozen=True, eq=False)
-class Network:
+class Network(Bounded):
     """Weights of a network: `layers` of (weights (out, in), biases (out,)), the last without hidden activation.
 
     `features` name the inputs, `output` how light is made, `scale` the cd m-2 (or W m-2 sr-1 nm-1) of light 1.
@@ -110,6 +111,7 @@ class Network:
     output: Output
     scale: float
     bands: tuple[float, ...] = ()
+    bounds: ClassVar = {"scale": Range(1e-30, 1e12), "bands": Range(1.0, 1e5, "nm")}
 
     def __post_init__(self) -> None:
         """Validate names and shapes."""
@@ -125,8 +127,7 @@ class Network:
             width = weights.shape[0]
         if width != (len(self.bands) or 3):
             raise ValueError(f"the last layer must give {len(self.bands) or 3} values, got {width}")
-        if not 0 < self.scale < np.inf:
-            raise ValueError(f"scale must be positive, got {self.scale}")
+        self.require_bounds()
 
     @property
     def count(self) -> int:

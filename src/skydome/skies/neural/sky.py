@@ -10,6 +10,7 @@ import numpy as np
 from skydome.air.atmosphere import USUAL_ALBEDO
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy, limited, namespace, settled
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import Range, require
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz, xyz_from_rgb
 from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
@@ -17,7 +18,6 @@ from skydome.skies.neural.files import load_network, shipped_network
 from skydome.skies.neural.folding import Folded, folded
 from skydome.skies.neural.network import Network, conditions, features
 from skydome.skies.sky import SunlitSky
-from skydome.skies.validity import Range, require
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,11 +12,11 @@ import numpy as np
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import shared
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import deg
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.sky import PATHS_PER_PIECE, PathTraced
 from skydome.skies.path_tracing.tables import law_tables, shells
-from skydome.skies.validity import Range, require
 
 PARTS = 16
 

@@ -14,12 +14,13 @@ from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
 from skydome.ground.files.contents import digest_of
+from skydome.ground.files.reading import arrays_in
+from skydome.ground.limits.ranges import SEED, Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.nishita import scattered_once
-from skydome.skies.validity import Range, require
 
 GUIDED_BELOW = 3.0
 """Elevation of the sun, degrees, below which paths are guided: from there on it is worth what it costs."""
@@ -28,6 +29,9 @@ ALL_ORDERS = 1000
 
 PATHS_PER_PIECE = 64
 """That are worth a thread's while."""
+
+MOST_BYTES = 1 << 30
+"""Of a stored tracing."""
 
 PATHS = 2
 """Counted up whenever a seed comes to mean other paths, which are not to be mixed in one tracing."""
@@ -119,11 +123,14 @@ class Tracing:
 
     def resumed(self, path: str | PathLike[str]) -> "Tracing":
         """Merged with what a file holds; ValueError for the file of another job."""
-        with np.load(path, allow_pickle=False) as stored:
-            if str(stored["job"]) != self.job.fingerprint():
-                raise ValueError(f"{path} holds another tracing: sky, directions, wavelengths or seed differ")
-            passes = tuple(int(k) for k in stored["passes"])
-            return self.merged(Tracing(self.job, passes, stored["mean"], stored["deviation"]))
+        held = arrays_in(path, "a tracing", {"job", "passes", "mean", "deviation"}, MOST_BYTES)
+        if str(held["job"]) != self.job.fingerprint():
+            raise ValueError(f"{path} holds another tracing: sky, directions, wavelengths or seed differ")
+        mean, deviation = held["mean"], held["deviation"]
+        whole = mean.shape == deviation.shape == self.mean.shape and np.isfinite(mean).all() and (deviation >= 0).all()
+        if not whole or held["passes"].ndim != 1 or held["passes"].dtype.kind not in "iu":
+            raise ValueError(f"{path} is damaged: passes {held['passes'].shape}, light {mean.shape}, {deviation.shape}")
+        return self.merged(Tracing(self.job, tuple(held["passes"].tolist()), mean, deviation))
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,15 +208,20 @@ class PathTraced(AtmosphereSky):
     guide: float | None = None
     roulette: float = 0.2
     paths_per_pass: int = 8
+    bounds: ClassVar = {
+        "relative_error": Range(1e-6, 0.5),
+        "seed": SEED,
+        "orders": Range(1, ALL_ORDERS),
+        "guide": Range(0, 0.95),
+        "roulette": Range(0.0, 1.0),
+        "paths_per_pass": Range(1, 1 << 20),
+    }
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
     quick_to_see: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        require("relative_error", self.relative_error, Range(1e-6, 0.5))
-        require("orders", self.orders, Range(1, ALL_ORDERS))
-        require("guide", 0.0 if self.guide is None else self.guide, Range(0, 0.95))
         if not self.one_sun:
             raise ValueError(f"a path-traced sky has one sun of shape (3,), got {np.shape(self.sun)}")
 

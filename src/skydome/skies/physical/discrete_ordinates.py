@@ -17,11 +17,11 @@ from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.ground.extras import required
 from skydome.ground.interpolation import lagrange_about
+from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import LEAST_COSINE, cosine_transform, geometry, position, view_nodes
 from skydome.skies.physical.layers import Layers, layered
-from skydome.skies.validity import Range, require
 from skydome.sun.day import is_day
 
 VIEWS = 512
@@ -44,13 +44,12 @@ class DiscreteOrdinates(AtmosphereSky):
     """
 
     streams: int = 16
-    ranges: ClassVar = {"streams": Range(4, 128)}
+    bounds: ClassVar = {"streams": Range(4, 128)}
     source: ClassVar[str] = "Stamnes et al. 1988 (DISORT), C version, by nanodisort; TMS of Nakajima and Tanaka 1988"
     quick_to_see: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        require("streams", self.streams, Range(4, 128))
         if self.streams % 2:
             raise ValueError(f"streams must be even, got {self.streams}")
 

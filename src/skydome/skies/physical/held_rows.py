@@ -51,6 +51,13 @@ class HeldRows:
         """Of rows with cosines (R,) to the vertical, the nodes that they lie between and their weights, each (R, 4)."""
         return lagrange_about(len(self.series), np.asarray(position(np.maximum(cosine, LEAST_COSINE))))
 
+    def fields(self, cosine: np.ndarray, turn: np.ndarray) -> np.ndarray:
+        """XYZ of the shapes' fields in rows of cosines (R,) and azimuths from the sun (N,), (R, N, shapes + 1, 3)."""
+        nodes, weights = self.hats(cosine)
+        risen = np.einsum("rk,rk...->r...", weights, self.series[nodes])
+        waves = np.cos(turn[:, None] * np.arange(self.series.shape[1]))
+        return np.asarray(np.einsum("nm,rm...->rn...", waves, risen))
+
     def light(self, cosine: np.ndarray, turn: np.ndarray, away: np.ndarray, matrix: np.ndarray) -> np.ndarray:
         """`matrix` (3, 3) times XYZ, (R, N, 3), in the dtype of `away`.
 

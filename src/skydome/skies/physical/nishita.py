@@ -17,12 +17,12 @@ from skydome.air.rays import ColumnTable, Rays, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.ground.interpolation import weights
+from skydome.ground.limits.ranges import Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.discrete_ordinates import across
-from skydome.skies.validity import Range, require
 from skydome.sun.day import is_day
 
 CHUNK = 2048
@@ -87,11 +87,8 @@ class Nishita96(Nishita93):
     """
 
     rings: int = 8
+    bounds: ClassVar = {"rings": Range(2, 64)}
     source: ClassVar[str] = "Nishita, Dobashi, Kaneda, Yamashita 1996, section 4"
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        require("rings", self.rings, Range(2, 64))
 
     def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once and twice, for a sun of irradiance 1, sr-1, shape (D, W)."""

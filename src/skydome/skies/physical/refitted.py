@@ -7,10 +7,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.cross_sections import solar_irradiance
-from skydome.ground.arguments import require_file
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
+from skydome.ground.files.reading import arrays_in, decoding
 from skydome.ground.interpolation import cells, weights
+from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, Bounded, Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
@@ -19,9 +20,12 @@ from skydome.skies.sky import SunlitSky
 OFFSET = 0.01
 """What is added to cos t in the gradation, as Hosek and Wilkie have it."""
 
+MOST_BYTES = 256 * 2**20
+"""Size, unpacked, above which a file is refused."""
+
 
 @dataclass(frozen=True, eq=False)
-class Numbers:
+class Numbers(Bounded):
     """R A ... I for sun elevations (E,), radians, and wavelengths (W,), nm: coefficients (E, W, 10), light in sr-1.
 
     `sun_scale` multiplies the sun's irradiance; `error` (E, W) is each fit's relative RMS error.
@@ -32,6 +36,24 @@ class Numbers:
     coefficients: np.ndarray
     error: np.ndarray
     sun_scale: float = 1.0
+    bounds: ClassVar = {
+        "elevations": Range(-np.pi / 2, np.pi / 2, "rad"),
+        "wavelengths": Range(1.0, 1e5, "nm"),
+        "coefficients": FINITE,
+        "sun_scale": NOT_NEGATIVE,
+    }
+
+    def __post_init__(self) -> None:
+        """Validate only."""
+        self.require_bounds()
+        counts = np.shape(self.elevations) + np.shape(self.wavelengths)
+        if np.shape(self.coefficients) != (*counts, 10) or np.shape(self.error) != counts or len(counts) != 2:
+            raise ValueError(
+                f"coefficients of a refitted sky must be {(*counts, 10)}, got {np.shape(self.coefficients)}"
+            )
+        for name in ("elevations", "wavelengths"):
+            if not np.size(getattr(self, name)) or (np.diff(getattr(self, name)) <= 0).any():
+                raise ValueError(f"{name} of a refitted sky must be rising")
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write to a .npz file, whole or not at all."""
@@ -43,12 +65,9 @@ class Numbers:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Numbers":
         """From a .npz file; ValueError for a file that holds something else."""
-        with np.load(require_file(path, "a refitted sky"), allow_pickle=False) as stored:
-            missing = set(cls.__dataclass_fields__) - set(stored.files)
-            if missing:
-                raise ValueError(f"{path} holds no refitted sky: it lacks {', '.join(sorted(missing))}")
-            held = {name: stored[name] for name in cls.__dataclass_fields__}
-        return cls(**(held | {"sun_scale": float(held["sun_scale"])}))
+        held: dict[str, Any] = dict(arrays_in(path, "a refitted sky", set(cls.__dataclass_fields__), MOST_BYTES))
+        with decoding(path, "a refitted sky"):
+            return cls(**(held | {"sun_scale": float(held["sun_scale"])}))
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,6 +15,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import SHARE, Range
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.discrete_ordinates import across
@@ -22,7 +23,6 @@ from skydome.skies.prague.file import Curves, PragueFile, read_prague
 from skydome.skies.prague.geometry import SAFETY, Angles, Place, angles_of, dip
 from skydome.skies.prague.transmittance import transmittance_of
 from skydome.skies.sky import SunlitSky
-from skydome.skies.validity import Range
 
 AT_ONCE = 1 << 14
 """Directions computed together."""
@@ -59,6 +59,7 @@ class Prague(SunlitSky, SpectralSky):
     visibility: Any = 60_000.0
     albedo: Any = None
     altitude: Any = 0.0
+    bounds: ClassVar = {"visibility": Range(1.0, 1e7, "m"), "albedo": SHARE, "altitude": Range(-500.0, 1e5, "m")}
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "Wilkie et al. 2021; Vevoda et al. 2022"
 

@@ -8,8 +8,8 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Molecules
 from skydome.ground.arrays import Array, at_least
+from skydome.ground.limits.ranges import Range
 from skydome.skies.suns.sun_disc import MEAN_RADIUS, SunDisc, limb_mean
-from skydome.skies.validity import Range
 
 
 @dataclass(frozen=True, eq=False)

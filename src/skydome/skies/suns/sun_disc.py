@@ -24,12 +24,12 @@ from skydome.ground.arrays import (
 )
 from skydome.ground.directions import angle_between, checked_directions, elevation, tangent_frame
 from skydome.ground.interpolation import weights
+from skydome.ground.limits.ranges import LIGHT, Range
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.hosek_wilkie import TURBIDITIES, band_weights
 from skydome.skies.sky import Sky, SunlitSky
-from skydome.skies.validity import Range
 from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, radius_at, solar_radius
 
 MEAN_RADIUS = SOLAR_RADIUS_AT_1_AU
@@ -103,6 +103,7 @@ class SunDisc(SunlitSky, SpectralSky):
     direct_normal_illuminance: Any = field(default=None, kw_only=True)
     bands: ClassVar[np.ndarray] = np.arange(320.0, 721.0, 10.0)
     ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "angular_radius": Range(1e-5, 0.1, "rad")}
+    bounds: ClassVar = {"direct_normal_illuminance": LIGHT}
     source: ClassVar[str] = "Hosek and Wilkie 2013; tables of version 1.4a"
 
     @classmethod

@@ -10,6 +10,7 @@ from skydome.dome.patches import Patches
 from skydome.dome.patches import patches as patches_named
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
+from skydome.ground.limits.sizes import require_memory
 from skydome.ground.units import deg
 from skydome.sun.place import Place
 from skydome.sun.track import SunTrack
@@ -83,6 +84,8 @@ def year(
         track = track or SunTrack.over(weather.start[0], weather.end[-1])
         weather = aligned(weather, shift, track)
     cut = patches_named(patches)
+    each = 8 + 16 * (colour is not None) + 8 * (0 if wavelengths is None else np.size(wavelengths))
+    require_memory(float(weather.count) * cut.count * each, f"a year of {weather.count} hours, {cut.count} patches")
     sky = perez_year(weather, "gendaylit" if compat == "gendaylit" else "paper", track)
     warn_of_wrong_place(weather, sky.share)
     luminance = np.zeros((weather.count, cut.count), np.float32)

@@ -4,12 +4,13 @@ import csv
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
+from io import StringIO
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from skydome.ground.arguments import require_file
 from skydome.ground.extras import required
+from skydome.ground.files.reading import decoding, text_in
 from skydome.sun.track import SunTrack
 from skydome.years.stores.cluster import cluster_client
 from skydome.years.stores.sites_store import FAILED, HOURS, Site, is_whole, mark, open_store, write_site
@@ -35,19 +36,29 @@ def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = N
     """
     base = Path(folder) if folder is not None else Path(path).parent
     sites, bad = [], []
-    with require_file(path, "a table of sites").open(newline="", encoding="utf-8") as file:
-        table = csv.DictReader(file)
-        if table.fieldnames is None or not {"name", "file"} <= set(table.fieldnames):
-            raise ValueError(f"{Path(path).name} needs columns name and file, got {table.fieldnames}")
-        for row, cells in enumerate(table, start=2):
-            name, weather = (cells.get("name") or "").strip(), (cells.get("file") or "").strip()
-            if not name or not weather:
-                bad.append(f"line {row}: name and file must be given, got {name!r} and {weather!r}")
-            elif not (base / weather).is_file():
-                bad.append(f"line {row} ({name}): no such file as {base / weather}")
-            else:
-                sites.append(Site(row, name, str(base / weather)))
+    text = StringIO(text_in(path, "a table of sites"), newline="")
+    with decoding(path, "a table of sites"):
+        table = csv.DictReader(text)
+        titles, rows = table.fieldnames, list(table)
+    if titles is None or not {"name", "file"} <= set(titles):
+        raise ValueError(f"{Path(path).name} needs columns name and file, got {titles}")
+    for row, cells in enumerate(rows, start=2):
+        name, weather = (cells.get("name") or "").strip(), (cells.get("file") or "").strip()
+        if not name or not weather:
+            bad.append(f"line {row}: name and file must be given, got {name!r} and {weather!r}")
+        elif not is_file(base / weather):
+            bad.append(f"line {row} ({name}): no such file as {base / weather}")
+        else:
+            sites.append(Site(row, name, str(base / weather)))
     return sites, bad
+
+
+def is_file(path: Path) -> bool:
+    """True for a file; False too for a name that no file can have."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
 
 
 def make_sites(store: str, work: list[tuple[int, Site]], choices: dict[str, Any]) -> list[Outcome]:

@@ -1,0 +1,54 @@
+"""The sun's disc as shader code, added to its sky: limb darkening in powers of the cosine on the sun's surface."""
+
+import numpy as np
+
+from skydome.export.formula_shader import Code, Lines
+from skydome.export.shader_languages import Language
+from skydome.export.sky_numbers import Numbers
+from skydome.ground.arrays import as_numpy
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.suns.sun_disc import SunDisc, limb_coefficients
+
+
+def with_disc(code: Code, disc: SunDisc, factor: float, language: Language, rgb: np.ndarray, numbers: Numbers) -> Code:
+    """A sky's code with the light of a disc, multiplied by `factor`; `rgb`: from XYZ to the code's colours, (3, 3).
+
+    ValueError for more suns than one.
+    """
+    sun = np.asarray(as_numpy(disc.sun), dtype=np.float64)
+    if sun.shape != (3,) or np.ndim(disc.angular_radius):
+        raise ValueError(f"a shader shows one sun, got shape {sun.shape}")
+    lines = disc_lines(language, sun, float(disc.angular_radius), numbers)
+    results = []
+    coefficients = factor * polynomial(disc) @ rgb.T
+    for name, powers in zip(code.results, coefficients.T, strict=True):
+        lines.append((f"{name}_disc", f"{name} + seen * in_disc * max({horner(powers, numbers)}, 0.0)"))
+        results.append(f"{name}_disc")
+    return Code(code.helpers, code.lines + lines, tuple(results))
+
+
+def polynomial(disc: SunDisc) -> np.ndarray:
+    """XYZ of the disc in powers of the cosine on the sun's surface, (6, 3)."""
+    bands = disc.bands
+    light = np.asarray(disc.centre_radiance(bands) * disc.factor)
+    result: np.ndarray = (limb_coefficients(bands) * light[:, None]).T @ xyz_weights(bands)
+    return result
+
+
+def disc_lines(language: Language, sun: np.ndarray, radius: float, numbers: Numbers) -> Lines:
+    """Whether the direction meets the disc, and the cosine on the sun's surface there."""
+    offsets = zip("xyz", language.direction, sun, strict=True)
+    return [
+        *[(f"from_{axis}", f"{part} - {numbers.spelled(toward)}") for axis, part, toward in offsets],
+        ("off", "min(0.25 * (from_x * from_x + from_y * from_y + from_z * from_z), 1.0)"),
+        ("in_disc", f"max(0.0, min(1.0, (1.0 - off * {numbers.spelled(np.sin(radius / 2) ** -2)}) * 1.0e6))"),
+        ("mu", f"sqrt(max(1.0 - off * (1.0 - off) * {numbers.spelled(4 * np.sin(radius) ** -2)}, 0.0))"),
+    ]
+
+
+def horner(powers: np.ndarray, numbers: Numbers) -> str:
+    """A polynomial of mu, whose coefficients are the sky's numbers."""
+    text = numbers.spelled(powers[-1])
+    for power in powers[-2::-1]:
+        text = f"{numbers.spelled(power)} + mu * ({text})"
+    return text
