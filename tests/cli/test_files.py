@@ -81,7 +81,7 @@ def test_a_plot_is_written(facts, when, tmp_path, suffix):
 
 def test_a_plot_has_east_at_the_left_and_the_sun_in_its_place():
     from skydome.figures.skies import sky_figure
-    from skydome.skies.showing.dome_axes import COMPASS, on_disc
+    from skydome.maps.showing.dome_axes import COMPASS, on_disc
 
     for name, direction in {"N": sd.NORTH, "E": sd.EAST, "S": sd.SOUTH, "W": sd.WEST}.items():
         np.testing.assert_allclose(on_disc(direction), COMPASS[name], atol=1e-12)

@@ -7,7 +7,7 @@ import numpy as np
 from skydome.evaluation.evaluation import BAND, Comparison, measured_xyz
 from skydome.ground.extras import required
 from skydome.maps.projections import Fisheye
-from skydome.skies.showing.dome_axes import on_disc
+from skydome.maps.showing.dome_axes import on_disc
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from skydome.ground.extras import required
 from skydome.ground.writing import appearing
-from skydome.skies.showing.dome_axes import draw_compass, draw_luminance, on_disc
+from skydome.maps.showing.dome_axes import draw_compass, draw_luminance, on_disc
 from skydome.skies.sky import Sky
 from skydome.sun.day import is_day
 

@@ -15,5 +15,5 @@
 - resample           A map in another layout or size, its light conserved: areas are averaged
 - integrals          Light that a map sends onto surfaces: sums over its texels' solid angles
 - preview            A map as a photographer would see it: exposed, tone-mapped, encoded for the screen
-- showing            What people see of a thing: a table with units and a picture, or a map on axes
+- showing/           How skies and maps show themselves to people: tables and pictures in notebooks, plots
 """

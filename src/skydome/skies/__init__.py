@@ -15,7 +15,6 @@
 - catalogue          Every sky model by name, a row each: what the commands, fits, lessons and evaluations read
 - model              The kinds of rows in it, and how each makes its sky
 - series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
-- showing/           How a sky shows itself to people: pictures and tables in notebooks, plots
 - formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)
 - neural/            Neural skies: small networks from sun and view to light (Satilmis et al. 2017)
 - all_air/           One sky for all air: light scattered once exactly, the rest by small networks

@@ -14,8 +14,8 @@ import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
+from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
-from skydome.skies.showing.shown import Shown
 from skydome.skies.validity import Ranged, is_one
 from skydome.sun.day import is_day
 

@@ -13,7 +13,7 @@ from skydome.ground.units import deg
 from skydome.maps.pixels import MapPixels
 from skydome.maps.preview import preview
 from skydome.maps.projections import Fisheye
-from skydome.maps.showing import own_axes, table_of
+from skydome.maps.showing.page import own_axes, table_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -59,7 +59,7 @@ class Shown:
         1.0
         """
         required("matplotlib", "plot", "a plot")
-        from skydome.skies.showing.dome_axes import draw_compass, draw_luminance
+        from skydome.maps.showing.dome_axes import draw_compass, draw_luminance
 
         self._require_one()
         ax = own_axes() if ax is None else ax
