@@ -7,9 +7,10 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.year import minutes
+from skydome.cli.commands.year import is_sites, minutes
 from skydome.cli.doors import progress, require_output
 from skydome.cli.options import SkyOptions, numbers
+from skydome.cli.printing import fact_rows
 from skydome.ground.extras import required
 
 PANEL = "A year on planes, from a weather file"
@@ -68,6 +69,14 @@ class YearOptions:
         ),
     ] = None
     reflectance: Annotated[float, Option(help="Reflectance of the mesh.", rich_help_panel=PANEL)] = 0.3
+    weather_folder: Annotated[
+        Path | None, Option(help="Where the files of --weather sites.csv (name,file) lie.", rich_help_panel=PANEL)
+    ] = None
+    scheduler: Annotated[
+        str | None, Option(metavar="ADDRESS", help="A Dask scheduler, for sites.csv.", rich_help_panel=PANEL)
+    ] = None
+    workers: Annotated[int, Option(help="Worker processes here, without a scheduler.", rich_help_panel=PANEL)] = 2
+    target: Annotated[float, Option(help="lx that autonomies of sites.csv are of.", rich_help_panel=PANEL)] = 1e4
 
 
 def year_on_planes(
@@ -85,6 +94,8 @@ def year_on_planes(
     if asked.output is not None:
         required(ENDINGS[asked.output.suffix.lower()], "year", f"a year as {asked.output.suffix}")
     known = planes_of(asked, planes, horizon, ground)
+    if asked.weather is not None and asked.weather.suffix.lower() == ".csv" and is_sites(asked.weather):
+        return many_sites(asked, known, ground)
     shift: Any = minutes(asked.shift)
     place = None if options.place is None else sd.Place.parse(options.place)
     with warnings.catch_warnings(record=True) as caught, progress("a year on planes"):
@@ -97,6 +108,34 @@ def year_on_planes(
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
     files = [] if asked.output is None else [str(asked.output)]
     return facts_of(light) | {"files": files, "notes": notes}
+
+
+def many_sites(asked: YearOptions, planes: list[Any], ground: float) -> dict[str, Any]:
+    """The facts of planes at many sites; a whole file of them, as there is no table of so many hours."""
+    from skydome.years.planes.portfolio import portfolio
+    from skydome.years.stores.sites import read_sites
+    from skydome.years.stores.stores import write_dataset
+
+    if asked.output is None or asked.output.suffix.lower() == ".csv":
+        raise ValueError("planes at many sites need -o planes.nc or planes.zarr")
+    sites, bad = read_sites(asked.weather or "", asked.weather_folder)
+    with progress("sites") as report:
+        data, notes = portfolio(
+            sites, planes, ground, asked.transposition, asked.patches, asked.target,
+            asked.scheduler, asked.workers, report,
+        )  # fmt: skip
+    write_dataset(data, asked.output)
+    whole = data["irradiation"].sum("month", skipna=False).mean("site")
+    failed = [note for note in notes if "warning:" not in note]
+    return {
+        "sites": len(sites),
+        "failed": len(failed) + len(bad),
+        "mean_irradiation_kwh_m2": {
+            str(label): round(float(value), 1) for label, value in zip(data["plane"].values, whole.values, strict=True)
+        },
+        "files": [str(asked.output)],
+        "notes": bad + notes,
+    }
 
 
 def refuse_a_moment(options: SkyOptions) -> None:
@@ -196,6 +235,8 @@ def facts_of(light: Any) -> dict[str, Any]:
 
 def year_rows(facts: dict[str, Any]) -> dict[str, str]:
     """The same for people: a row a plane."""
+    if "sites" in facts:
+        return fact_rows(facts)
     rows = {"site": facts["site"], "hours": f"{facts['hours']:,}"}
     if facts["missing_hours"]:
         rows["missing"] = f"{facts['missing_hours']:,.0f} h, counted as 0"
