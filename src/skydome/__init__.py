@@ -72,6 +72,7 @@ HOME = {
     "surroundings.mesh": "MeshScene",
     "surroundings.light_kinds": "LightInLux LightInXYZ LightInRGB LightInWavelengths",
     "haze.aerial_perspective": "aerial_perspective AerialPerspective AirLight",
+    "haze.uniform_density": "HoffmanPreetham",
     "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "eye.eye": "Eye",
     "eye.view": "Camera HalfSphere",

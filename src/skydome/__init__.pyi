@@ -55,6 +55,7 @@ from skydome.ground.units import km as km
 from skydome.haze.aerial_perspective import AerialPerspective as AerialPerspective
 from skydome.haze.aerial_perspective import AirLight as AirLight
 from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspective
+from skydome.haze.uniform_density import HoffmanPreetham as HoffmanPreetham
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
 from skydome.land.elevation import Elevation as Elevation
