@@ -16,7 +16,7 @@ ANGLES = (30, 60, 80, 85, 89, 90, 91, 93)
 
 
 def errors(turbidity):
-    """Relative error of transmittance, of light scattered by haze and by gas, at 550 nm from the ground, each (D, Z)."""
+    """Relative errors at 550 nm from the ground, each (D, Z): transmittance, light scattered by haze, by gas."""
     distance, cosine = np.meshgrid(DISTANCES, np.cos(ZENITHS * deg), indexing="ij")
     haze, gas = haze_total([550.0], turbidity), gas_total([550.0])
     air = coefficients_like(haze, gas, float(haze[0]), float(gas[0]), distance)
