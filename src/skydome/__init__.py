@@ -11,13 +11,14 @@ __version__ = "0.1.0"
 
 HOME = {
     "ground.units": "deg km",
-    "ground.directions": "ZENITH NORTH EAST SOUTH WEST direction azimuth elevation angle_between unit",
+    "ground.directions": "ZENITH NORTH EAST SOUTH WEST direction azimuth elevation angle_between unit "
+    "separation_arccos separation_haversine separation_vincenty",
     "sun.place": "Place",
     "sun.position": "sun_direction sun_angles earth_sun_distance solar_radius",
     "sun.preetham_position": "preetham_sun_direction",
     "sun.events": "sun_events SunEvents",
     "light.spectrum": "Spectrum",
-    "light.colour": "SRGB REC2020 ACESCG RADIANCE RGBSpace",
+    "light.colour": "SRGB SRGB_PRINTED REC2020 ACESCG RADIANCE RGBSpace",
     "light.colour_temperature": "colour_temperature duv",
     "light.daylight": "daylight_spectrum",
     "air.atmosphere": "Atmosphere",
@@ -25,6 +26,7 @@ HOME = {
     "air.mie": "MieParticles",
     "air.size_distributions": "Lognormal Junge GammaSizes",
     "air.transmittance": "ClearAir",
+    "air.turbidity": "meteorological_range",
     "skies.sky": "Sky",
     "skies.colour_sky": "ColourSky SpectralSky",
     "skies.blend": "blend",
@@ -60,7 +62,7 @@ HOME = {
     "dome.sampling": "SkySampler sample sample_density",
     "maps.environment_map": "EnvironmentMap",
     "maps.loading": "load",
-    "maps.equirectangular": "Equirectangular",
+    "maps.equirectangular": "Equirectangular EquirectangularOfWidth",
     "maps.equal_area_square": "EqualAreaSquare",
     "maps.cube": "CubeMap",
     "maps.fisheye": "Fisheye",

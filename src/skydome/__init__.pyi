@@ -9,6 +9,7 @@ from skydome.air.size_distributions import GammaSizes as GammaSizes
 from skydome.air.size_distributions import Junge as Junge
 from skydome.air.size_distributions import Lognormal as Lognormal
 from skydome.air.transmittance import ClearAir as ClearAir
+from skydome.air.turbidity import meteorological_range as meteorological_range
 from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
 from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
 from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
@@ -49,6 +50,9 @@ from skydome.ground.directions import angle_between as angle_between
 from skydome.ground.directions import azimuth as azimuth
 from skydome.ground.directions import direction as direction
 from skydome.ground.directions import elevation as elevation
+from skydome.ground.directions import separation_arccos as separation_arccos
+from skydome.ground.directions import separation_haversine as separation_haversine
+from skydome.ground.directions import separation_vincenty as separation_vincenty
 from skydome.ground.directions import unit as unit
 from skydome.ground.units import deg as deg
 from skydome.ground.units import km as km
@@ -66,6 +70,7 @@ from skydome.light.colour import ACESCG as ACESCG
 from skydome.light.colour import RADIANCE as RADIANCE
 from skydome.light.colour import REC2020 as REC2020
 from skydome.light.colour import SRGB as SRGB
+from skydome.light.colour import SRGB_PRINTED as SRGB_PRINTED
 from skydome.light.colour import RGBSpace as RGBSpace
 from skydome.light.colour_temperature import colour_temperature as colour_temperature
 from skydome.light.colour_temperature import duv as duv
@@ -75,6 +80,7 @@ from skydome.maps.cube import CubeMap as CubeMap
 from skydome.maps.environment_map import EnvironmentMap as EnvironmentMap
 from skydome.maps.equal_area_square import EqualAreaSquare as EqualAreaSquare
 from skydome.maps.equirectangular import Equirectangular as Equirectangular
+from skydome.maps.equirectangular import EquirectangularOfWidth as EquirectangularOfWidth
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
 from skydome.maps.targets import target as target
