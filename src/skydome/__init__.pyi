@@ -98,6 +98,8 @@ from skydome.skies.daylight_sky import ColourOf as ColourOf
 from skydome.skies.daylight_sky import Daylight as Daylight
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
+from skydome.skies.formula.older.brunger_hooper import BrungerHooper as BrungerHooper
+from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata as MatsuuraIwata
 from skydome.skies.hosek_wilkie import HosekWilkie as HosekWilkie
 from skydome.skies.hosek_wilkie import HosekWilkieRGB as HosekWilkieRGB
 from skydome.skies.neural.sky import NeuralSky as NeuralSky
@@ -110,7 +112,7 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates as Discr
 from skydome.skies.physical.held import held as held
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
-from skydome.skies.prague.sky import Prague as Prague
+from skydome.skies.physical.prague.sky import Prague as Prague
 from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
 from skydome.skies.sky import Sky as Sky

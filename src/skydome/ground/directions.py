@@ -157,8 +157,6 @@ def angle_between(a: Array, b: Array) -> Array:
 def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
     """Spherical distance by the spherical law of cosines, radians: loses half the digits below 1e-7 rad.
 
-    Of two directions by their elevations and the difference of their azimuths (equations page, eq. 24).
-
     >>> round(float(separation_arccos(0.0, 0.3, 0.0)), 12)
     0.3
     """
@@ -170,8 +168,6 @@ def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference
 
 def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
     """Spherical distance by the haversine formula, radians (its bracket: docs/errata.md): exact for small angles.
-
-    Of two directions by their elevations and the difference of their azimuths (equations page, eq. 25).
 
     >>> float(separation_haversine(0.0, 1e-9, 0.0))
     1e-09
@@ -188,8 +184,6 @@ def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_differe
 
 def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
     """Spherical distance by Vincenty's formula, radians (Vincenty 1975, on a sphere): exact everywhere.
-
-    Of two directions by their elevations and the difference of their azimuths (equations page, eq. 26).
 
     >>> round(float(separation_vincenty(0.0, 0.0, np.pi)), 12) == round(np.pi, 12)
     True
