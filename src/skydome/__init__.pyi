@@ -9,6 +9,7 @@ from skydome.air.size_distributions import GammaSizes as GammaSizes
 from skydome.air.size_distributions import Junge as Junge
 from skydome.air.size_distributions import Lognormal as Lognormal
 from skydome.air.transmittance import ClearAir as ClearAir
+from skydome.air.turbidity import meteorological_range as meteorological_range
 from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
 from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
 from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
@@ -49,12 +50,16 @@ from skydome.ground.directions import angle_between as angle_between
 from skydome.ground.directions import azimuth as azimuth
 from skydome.ground.directions import direction as direction
 from skydome.ground.directions import elevation as elevation
+from skydome.ground.directions import separation_arccos as separation_arccos
+from skydome.ground.directions import separation_haversine as separation_haversine
+from skydome.ground.directions import separation_vincenty as separation_vincenty
 from skydome.ground.directions import unit as unit
 from skydome.ground.units import deg as deg
 from skydome.ground.units import km as km
 from skydome.haze.aerial_perspective import AerialPerspective as AerialPerspective
 from skydome.haze.aerial_perspective import AirLight as AirLight
 from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspective
+from skydome.haze.uniform_density import HoffmanPreetham as HoffmanPreetham
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
 from skydome.land.elevation import Elevation as Elevation
@@ -65,6 +70,7 @@ from skydome.light.colour import ACESCG as ACESCG
 from skydome.light.colour import RADIANCE as RADIANCE
 from skydome.light.colour import REC2020 as REC2020
 from skydome.light.colour import SRGB as SRGB
+from skydome.light.colour import SRGB_PRINTED as SRGB_PRINTED
 from skydome.light.colour import RGBSpace as RGBSpace
 from skydome.light.colour_temperature import colour_temperature as colour_temperature
 from skydome.light.colour_temperature import duv as duv
@@ -74,6 +80,7 @@ from skydome.maps.cube import CubeMap as CubeMap
 from skydome.maps.environment_map import EnvironmentMap as EnvironmentMap
 from skydome.maps.equal_area_square import EqualAreaSquare as EqualAreaSquare
 from skydome.maps.equirectangular import Equirectangular as Equirectangular
+from skydome.maps.equirectangular import EquirectangularOfWidth as EquirectangularOfWidth
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
 from skydome.maps.targets import target as target
@@ -91,6 +98,8 @@ from skydome.skies.daylight_sky import ColourOf as ColourOf
 from skydome.skies.daylight_sky import Daylight as Daylight
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
+from skydome.skies.formula.older.brunger_hooper import BrungerHooper as BrungerHooper
+from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata as MatsuuraIwata
 from skydome.skies.hosek_wilkie import HosekWilkie as HosekWilkie
 from skydome.skies.hosek_wilkie import HosekWilkieRGB as HosekWilkieRGB
 from skydome.skies.neural.sky import NeuralSky as NeuralSky
@@ -103,7 +112,7 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates as Discr
 from skydome.skies.physical.held import held as held
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
-from skydome.skies.prague.sky import Prague as Prague
+from skydome.skies.physical.prague.sky import Prague as Prague
 from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
 from skydome.skies.sky import Sky as Sky

@@ -416,3 +416,22 @@ def test_figure_8_veil_against_the_fog_of_the_mean_sky():
     (east, west), (fog, _) = found["Preetham"]
     assert east == pytest.approx(fog, abs=0.005)
     assert west > fog + 0.03
+
+
+def test_one_density_is_exact_on_level_rays_and_by_quadrature_of_its_own():
+    """Hoffman and Preetham's form against a plain sum over a ray of even air."""
+    from skydome.haze.integrals import coefficients_like
+    from skydome.haze.uniform_density import HoffmanPreetham
+
+    distance, cosine = np.array([500.0, 8000.0, 40_000.0]), np.array([0.3, 0.0, -0.2])
+    air = coefficients_like(np.array([3e-5, 8e-5]), np.array([2e-5, 6e-6]), 8e-5, 1e-5, distance)
+    ray = Ray.at(distance, cosine, np.array(500.0))
+    haze, gas = HoffmanPreetham().integrals(ray, air)
+    steps = (np.arange(20_000) + 0.5) / 20_000
+    b = air.haze * ray.haze_density + air.gas * ray.gas_density
+    plain = distance * np.stack([np.exp(-np.outer(steps, b_ * distance)).mean(axis=0) for b_ in b])
+    np.testing.assert_allclose(haze.T, ray.haze_density * plain, rtol=1e-6)
+    np.testing.assert_allclose(gas.T, ray.gas_density * plain, rtol=1e-6)
+    level = Ray.at(distance, cosine * 0, np.array(500.0))
+    for own, exact in zip(HoffmanPreetham().integrals(level, air), FewNodes(12).integrals(level, air), strict=True):
+        np.testing.assert_allclose(own, exact, rtol=1e-9)

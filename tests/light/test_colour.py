@@ -4,6 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+import skydome as sd
 from skydome.light.colour import (
     ACESCG,
     D65,
@@ -131,3 +132,10 @@ def test_other_libraries_agree(library, function):
     theirs = function(xp.asarray(values))
     assert type(theirs) is type(xp.asarray(values))
     np.testing.assert_allclose(np.asarray(theirs), function(values), rtol=1e-5, atol=1e-6)
+
+
+def test_the_printed_space_has_the_printed_matrix():
+    sky = sd.Preetham(sd.direction(1.0, 0.6), 3.0)
+    xyz = sky.xyz(sd.ZENITH)
+    np.testing.assert_allclose(sky.rgb(sd.ZENITH, sd.SRGB_PRINTED), IEC_XYZ_TO_SRGB @ xyz, rtol=1e-12)
+    np.testing.assert_allclose(sd.SRGB_PRINTED.to_xyz @ IEC_XYZ_TO_SRGB, np.eye(3), atol=1e-12)

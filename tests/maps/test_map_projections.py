@@ -9,7 +9,16 @@ from hypothesis import strategies as st
 
 from skydome.ground.directions import EAST, NORTH, SOUTH, WEST, ZENITH, direction
 from skydome.maps.lookup import bilinear
-from skydome.maps.projections import CubeMap, EqualAreaSquare, Equidistant, Equirectangular, Equisolid, Fisheye
+from skydome.maps.projections import (
+    CubeMap,
+    EqualAreaSquare,
+    Equidistant,
+    Equirectangular,
+    EquirectangularOfWidth,
+    Equisolid,
+    Fisheye,
+    Projection,
+)
 
 WHOLE = [
     (Equirectangular(), 32),
@@ -20,6 +29,8 @@ WHOLE = [
     (CubeMap(), 6 * 7),
     (Fisheye(2 * np.pi, Equisolid()), 32),
     (Fisheye(2 * np.pi, Equidistant()), 33),
+    (EquirectangularOfWidth(width=13), 9),
+    (EquirectangularOfWidth(width=40), 7),
 ]
 PARTIAL = [(Fisheye(), 32), (Fisheye(2.0, Equisolid()), 31)]
 EVERY = WHOLE + PARTIAL
@@ -187,3 +198,20 @@ def test_wrong_parameters():
         Fisheye(coverage=7.0)
     with pytest.raises(ValueError, match="azimuth_left must be finite"):
         Equirectangular(azimuth_left=float("nan"))
+
+
+def test_the_grid_of_any_width_and_height_is_that_of_the_equations():
+    """Eq. 20 and 21: u = (i + .5) / W, v = (2 j + 1) / H over floor(H / 2) rows; and light is kept on it."""
+    import skydome as sd
+
+    width, height = 37, 21
+    grid = EquirectangularOfWidth(width=width).directions(height)
+    i, j = np.arange(width), np.arange(height // 2)[:, None]
+    turn, climb = 2 * np.pi * (i + 0.5) / width, np.pi / 2 * (1 - (2 * j + 1) / height)
+    np.testing.assert_allclose(grid[: height // 2], direction(turn, climb), atol=1e-14)
+    other = EquirectangularOfWidth(width=90)
+    sampled = Projection.vector_solid_angles(other, 31)
+    np.testing.assert_allclose(other.vector_solid_angles(31), sampled, atol=2e-3 * np.abs(sampled).max())
+    picture = sd.render(sd.Daylight(sd.Uniform(1.0)), height=301, projection=EquirectangularOfWidth(width=200))
+    assert picture.pixels.shape == (301, 200, 3)
+    np.testing.assert_allclose(picture.illuminance(ZENITH), np.pi, rtol=0.02)

@@ -9,9 +9,12 @@ from pathlib import Path
 from threading import Event, Thread
 from typing import Protocol
 
+from skydome.cli.endings import complain
+
 PICTURES = (".png", ".exr")
 STORE = ".zarr"
 EVERY = 10.0  # s between lines where stderr is no terminal
+LISTEN, PATIENCE = 0.2, 2.0  # s between looks at the compiler, and after which it is told of
 
 
 def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) -> None:
@@ -78,13 +81,39 @@ def progress(doing: str) -> Iterator[Report]:
     console = Console(stderr=True)
     work = Work(doing)
     shown = bar(work, console) if console.is_terminal else lines(work)
-    with shown as show:
+    with compilation_told(), shown as show:
 
         def report(done: float, of: float | None = None, doing: str = "", /) -> None:
             work.done, work.of, work.doing = done, of, doing or work.doing
             show()
 
         yield report
+
+
+@contextmanager
+def compilation_told() -> Iterator[None]:
+    """A line on stderr where code is compiled for more than a moment, which comes but once on a machine."""
+    over = Event()
+
+    def listen() -> None:
+        from skydome.ground.compiled import compiling
+
+        while "numba" not in sys.modules:
+            if over.wait(LISTEN):
+                return
+        with compiling() as seconds:
+            while not over.wait(LISTEN):
+                if seconds() > PATIENCE:
+                    complain("skydome", "compiling for the first time on this machine, which may take half a minute")
+                    return
+
+    listener = Thread(target=listen, daemon=True)
+    listener.start()
+    try:
+        yield
+    finally:
+        over.set()
+        listener.join()
 
 
 @contextmanager

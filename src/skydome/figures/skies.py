@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FORMATS = (".png", ".svg", ".pdf")
+DATELESS = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+"""So that one figure is one file, whenever it is drawn."""
 
 SunPath = tuple[np.ndarray, np.ndarray, list[str]]
 """Directions along the day (N, 3), those at whole hours (K, 3), and the hours' labels."""
@@ -71,5 +73,7 @@ def save_figure(figure: "Figure", path: str | PathLike[str]) -> None:
     suffix = Path(path).suffix.lower()
     if suffix not in FORMATS:
         raise ValueError(f"a plot's file must end in {', '.join(FORMATS)}, got {Path(path).name!r}")
-    with appearing(path) as beside:
-        figure.savefig(beside, format=suffix[1:])
+    from matplotlib import rc_context
+
+    with appearing(path) as beside, rc_context({"svg.hashsalt": "skydome"}):  # names of an SVG's parts, else random
+        figure.savefig(beside, format=suffix[1:], metadata=DATELESS.get(suffix))

@@ -9,8 +9,11 @@ them ranges of a job in ordinary threads.
 """
 
 import os
-from collections.abc import Callable
+import time
+import warnings
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
 from functools import partial
 from importlib.util import find_spec
 from typing import Any
@@ -31,10 +34,66 @@ def compiled(function: Callable[..., Any], fastmath: frozenset[str] = EXACT, cac
     from numba import njit
 
     choices = {"nogil": True, "error_model": "numpy", "fastmath": set(fastmath), **options}
-    try:
-        return njit(cache=cache, **choices)(function)
-    except RuntimeError:  # no folder for the cache
+    if not cache:
         return njit(**choices)(function)
+    try:
+        made = njit(cache=True, **choices)(function)
+    except RuntimeError:  # no folder for the cache
+        warnings.warn(NOT_KEPT, stacklevel=2)
+        return njit(**choices)(function)
+    forgiving(made._cache)
+    return made
+
+
+NOT_KEPT = (
+    "compiled code cannot be kept here, and is made anew by each process; name a folder that can be written to in"
+    " NUMBA_CACHE_DIR"
+)
+
+
+def forgiving(cache: Any) -> None:
+    """Let a cache that is damaged, or on a full disk, cost time and a note, not the work."""
+    load, save, clear = cache.load_overload, cache.save_overload, cache.flush
+
+    def loaded(*given: Any) -> Any:
+        try:
+            return load(*given)
+        except Exception:  # pickle raises anything over a damaged file
+            with suppress(OSError):
+                clear()
+            return None
+
+    def saved(*given: Any) -> None:
+        try:
+            save(*given)
+        except Exception:
+            warnings.warn(NOT_KEPT, stacklevel=2)
+
+    cache.load_overload, cache.save_overload = loaded, saved
+
+
+@contextmanager
+def compiling() -> Iterator[Callable[[], float]]:
+    """What tells for how many seconds Numba has been compiling, 0 where it is not; it hears of what begins within."""
+    from numba.core.event import Listener, register, unregister
+
+    class Ears(Listener):  # type: ignore[misc]
+        since, depth = 0.0, 0
+
+        def on_start(self, event: Any) -> None:
+            self.depth += 1
+            self.since = self.since or time.monotonic()
+
+        def on_end(self, event: Any) -> None:
+            self.depth -= 1
+            self.since = self.since if self.depth > 0 else 0.0
+
+    ears = Ears()
+    register("numba:compile", ears)
+    try:
+        yield lambda: time.monotonic() - ears.since if ears.since else 0.0
+    finally:
+        unregister("numba:compile", ears)
 
 
 def job(fastmath: frozenset[str] = EXACT) -> Callable[..., Any]:

@@ -8,5 +8,6 @@
 - fast                The tables that the Numba kernel of aerial perspective reads
 - kernel              Aerial perspective of RGB images in float32, the second form of `FewNodes(8)`
 - published           The published closed form of aerial perspective, and quadrature to judge it by
+- uniform_density     Air of one density, Hoffman and Preetham's closed form of games
 - ward_larson         Ward-Larson's fog, the older form of aerial perspective, as Preetham 1999
 """

@@ -14,7 +14,7 @@ from skydome.ground.directions import checked_directions
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
-from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities, optical_depth
+from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.sky import Sky, combine
@@ -206,7 +206,7 @@ class AirLight:
             ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
             haze, gas = self.scattered(direction)
             first, second = self.method.integrals(ray, air)
-            found = AerialPerspective(xp.exp(-optical_depth(ray, air)), haze * first + gas * second)
+            found = AerialPerspective(xp.exp(-self.method.optical_depth(ray, air)), haze * first + gas * second)
         factor = self.factor(direction, height) if self.meets_horizon else 1.0
         return found._replace(inscattered=found.inscattered * factor)
 

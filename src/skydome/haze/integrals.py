@@ -100,7 +100,11 @@ def optical_depth(ray: Ray, air: Coefficients) -> Array:
 
 
 class Integration(ABC):
-    """A way to find I1 and I2."""
+    """A way to find I1 and I2; extinction is exact unless the way has its own."""
+
+    def optical_depth(self, ray: Ray, air: Coefficients) -> Array:
+        """Optical depth of the whole ray, shape (..., C)."""
+        return optical_depth(ray, air)
 
     @abstractmethod
     def integrals(self, ray: Ray, air: Coefficients) -> tuple[Array, Array]:

@@ -130,6 +130,25 @@ white is (1, 1, 1) in all of them and round trips are exact. IEC 61966-2-1, amen
 rounded to four digits, kept as `IEC_XYZ_TO_SRGB`: its elements differ by up to 3.5e-4, its RGB of the D65 white from 1
 by up to 1.8e-4."""
 
+
+@dataclass(frozen=True)
+class PrintedSRGB(RGBSpace):
+    """sRGB by the matrix that IEC 61966-2-1, amendment 1, and eq. 28 of the equations page print."""
+
+    @property
+    def to_xyz(self) -> np.ndarray:
+        """The inverse of the printed matrix."""
+        return np.linalg.inv(IEC_XYZ_TO_SRGB)
+
+    @property
+    def from_xyz(self) -> np.ndarray:
+        """The printed matrix."""
+        return IEC_XYZ_TO_SRGB
+
+
+SRGB_PRINTED = PrintedSRGB("sRGB", SRGB.red, SRGB.green, SRGB.blue, SRGB.white)
+"""Linear sRGB by the printed matrix, digit by digit, for who compares with other programs; see `SRGB`."""
+
 REC2020 = RGBSpace("Rec.2020", (0.708, 0.292), (0.170, 0.797), (0.131, 0.046), D65)
 """Linear ITU-R BT.2020."""
 

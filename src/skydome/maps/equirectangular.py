@@ -1,7 +1,8 @@
 """Equirectangular maps: azimuth along the row, elevation down the column."""
 
 import math
-from dataclasses import dataclass
+from abc import abstractmethod
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,18 +12,11 @@ from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height
 
 
 @dataclass(frozen=True)
-class Equirectangular(Projection):
-    """The latitude-longitude map, twice as wide as high: row 0 touches the zenith, the last row the nadir.
+class LatitudeLongitude(Projection):
+    """What latitude-longitude maps of any shape share: row 0 touches the zenith, the last row the nadir.
 
     Texel centres u = (i + .5) / W, v = (j + .5) / H (the upper half is the sky's), azimuth =
     azimuth_left + 2 pi u clockwise from north: seen from inside. `mirrored` runs the other way (seen from outside).
-
-    >>> north_left = Equirectangular()
-    >>> north_left.shape(4)
-    (4, 8)
-    >>> row, column, _ = north_left.pixels([1.0, 0.0, 0.0], 4)   # east, on the horizon
-    >>> float(row), float(column)
-    (2.0, 2.0)
     """
 
     azimuth_left: float = 0.0
@@ -33,10 +27,9 @@ class Equirectangular(Projection):
             raise ValueError(f"azimuth_left must be finite radians, got {self.azimuth_left}")
         checked_turn(self.azimuth_left, "azimuth_left")
 
+    @abstractmethod
     def shape(self, height: int) -> tuple[int, int]:
-        """Rows and columns (height, 2 height); the height must be even."""
-        height = checked_height(height, 2, 2, "an equirectangular map")
-        return height, 2 * height
+        """Rows and columns of a map of that height."""
 
     def azimuths(self, column: ArrayLike, height: int) -> np.ndarray:
         """Azimuth at continuous texel columns, radians, not reduced to one turn."""
@@ -73,12 +66,12 @@ class Equirectangular(Projection):
         Level part: integral of cos^2 e de times the integral of (sin, cos) of the azimuth; upward: of sin e cos e de.
         """
         row, column = self.centres(height, rows)
-        step = np.pi / height  # a texel's height and width, radians
+        step, turn = np.pi / height, 2 * np.pi / self.shape(height)[1]  # a texel's height and width, radians
         from_zenith = row * step
         level = step / 2 - math.sin(step) * np.cos(2 * from_zenith) / 2
-        up = math.sin(step) * np.sin(2 * from_zenith) / 2 * step
+        up = math.sin(step) * np.sin(2 * from_zenith) / 2 * turn
         azimuth = self.azimuths(column, height)
-        across = 2 * math.sin(step / 2)
+        across = 2 * math.sin(turn / 2)
         parts = np.broadcast_arrays(level * across * np.sin(azimuth), level * across * np.cos(azimuth), up)
         return np.stack(parts, axis=-1)
 
@@ -89,6 +82,52 @@ class Equirectangular(Projection):
         row = np.where(row < 0, -1 - row, np.where(row >= rows, 2 * rows - 1 - row, row))
         return row, np.mod(column + np.where(over, columns // 2, 0), columns), np.ones(row.shape, dtype=bool)
 
+
+@dataclass(frozen=True)
+class Equirectangular(LatitudeLongitude):
+    """The latitude-longitude map, twice as wide as high: row 0 touches the zenith, the last row the nadir.
+
+    Azimuth = azimuth_left + 2 pi u clockwise from north: seen from inside. `mirrored` runs the other way.
+
+    >>> north_left = Equirectangular()
+    >>> north_left.shape(4)
+    (4, 8)
+    >>> row, column, _ = north_left.pixels([1.0, 0.0, 0.0], 4)   # east, on the horizon
+    >>> float(row), float(column)
+    (2.0, 2.0)
+    """
+
+    def shape(self, height: int) -> tuple[int, int]:
+        """Rows and columns (height, 2 height); the height must be even."""
+        height = checked_height(height, 2, 2, "an equirectangular map")
+        return height, 2 * height
+
     def height_for(self, texels: float) -> int:
         """The even height whose 2 height^2 texels come nearest."""
         return max(2, 2 * round(math.sqrt(texels / 2) / 2))
+
+
+@dataclass(frozen=True)
+class EquirectangularOfWidth(LatitudeLongitude):
+    """The latitude-longitude map of any `width` and height: H may be odd, then the middle row straddles the horizon.
+
+    The grid of eq. 20 and 21 of the equations page: W free, floor(H / 2) rows above the horizon. Renderers
+    want `Equirectangular`.
+
+    >>> EquirectangularOfWidth(width=10).shape(5)
+    (5, 10)
+    """
+
+    width: int = field(kw_only=True)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        checked_height(self.width, 1, 1, "a row of texels")
+
+    def shape(self, height: int) -> tuple[int, int]:
+        """Rows and columns (height, width)."""
+        return checked_height(height, 1, 1, "an equirectangular map"), self.width
+
+    def height_for(self, texels: float) -> int:
+        """The height whose map has about `texels` texels."""
+        return max(1, round(texels / self.width))

@@ -2,8 +2,18 @@
 
 from skydome.maps.cube import CubeMap
 from skydome.maps.equal_area_square import EqualAreaSquare
-from skydome.maps.equirectangular import Equirectangular
+from skydome.maps.equirectangular import Equirectangular, EquirectangularOfWidth
 from skydome.maps.fisheye import Equidistant, Equisolid, Fisheye, Lens
 from skydome.maps.projection import Projection
 
-__all__ = ["CubeMap", "EqualAreaSquare", "Equidistant", "Equirectangular", "Equisolid", "Fisheye", "Lens", "Projection"]
+__all__ = [
+    "CubeMap",
+    "EqualAreaSquare",
+    "Equidistant",
+    "Equirectangular",
+    "EquirectangularOfWidth",
+    "Equisolid",
+    "Fisheye",
+    "Lens",
+    "Projection",
+]

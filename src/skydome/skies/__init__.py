@@ -20,6 +20,5 @@
 - all_air/           One sky for all air: light scattered once exactly, the rest by small networks
 - physical/          Skies from first principles, and what makes them quick
 - path_tracing/      The sky by brute force: paths of light through spherical shells of air
-- prague/            The Prague sky model, from the files that its authors publish
 - suns/              The sun's disc, by its published tables or through a given air
 """

@@ -9,6 +9,8 @@ from difflib import get_close_matches
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
+from skydome.skies.formula.older.brunger_hooper import BrungerHooper
+from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
 from skydome.skies.model import AirModel, Model, NeuralModel, PhysicalModel, PreethamModel, TracedModel
 from skydome.skies.neural.files import load_network
@@ -18,8 +20,8 @@ from skydome.skies.perez import Perez
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.nishita import Nishita93, Nishita96
-from skydome.skies.prague.file import read_prague
-from skydome.skies.prague.sky import Prague
+from skydome.skies.physical.prague.file import read_prague
+from skydome.skies.physical.prague.sky import Prague
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
 from skydome.skies.uniform import MoonSpencer, Uniform
@@ -82,6 +84,8 @@ CATALOGUE: tuple[Model, ...] = (
     *(cie_model(kind) for kind in range(1, 16)),
     Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance")),
     Model("cie-intermediate", CIEIntermediate, level=MIDDLE),
+    Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE),
+    Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE),
     Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
     Model("uniform", Uniform, level=OVERCAST, shines=False),
     AirModel(

@@ -5,14 +5,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, floating, namespace, settled
-from skydome.ground.directions import checked_directions, zenith_angle
-from skydome.ground.limits.ranges import LIGHT, Range
+from skydome.ground.arrays import Array, constant, namespace, settled
+from skydome.ground.limits.ranges import Range
 from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
 from skydome.skies.formula.level import CLEAR_SHAPE
-from skydome.skies.formula.perez_formula import from_perez, view_geometry
-from skydome.skies.sky import SunlitSky
+from skydome.skies.formula.perez_formula import from_perez
+from skydome.skies.formula.shaped_sky import ShapedSky
 
 
 @settled
@@ -77,13 +76,13 @@ class CIEClear(LuminanceFormulaSky):
 
 
 @dataclass(frozen=True, eq=False)
-class CIEIntermediate(SunlitSky):
+class CIEIntermediate(ShapedSky):
     """The CIE intermediate sky: haze and thin cloud with the sun still bright.
 
     Nakamura, Oki and Hayashi 1985, CIE 110-1994; with elevations v of the view and s of the sun
     L = Lz ((1.35 sin(3.59 v - 0.009) + 3.12) sin(2.6 s + 0.316) + v + 4.799) / 2.326
     exp(-0.563 g ((s - 0.008) (v + 1.059) + 0.812)), over the same at the zenith. The figures are Radiance's
-    (skybright.cal), which writes them with zenith angles. Level by zenith_luminance, cd m-2.
+    (skybright.cal), which writes them with zenith angles. Level by zenith_luminance, cd m-2, or illuminance, lx.
 
     >>> import skydome as sd
     >>> sky = sd.CIEIntermediate(sd.direction(azimuth=0.0, elevation=0.6), zenith_luminance=3000.0)
@@ -91,8 +90,6 @@ class CIEIntermediate(SunlitSky):
     3000
     """
 
-    zenith_luminance: Any
-    bounds: ClassVar = {"zenith_luminance": LIGHT}
     source: ClassVar[str] = "Nakamura, Oki and Hayashi 1985; CIE 110-1994"
 
     def relative(self, view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:
@@ -101,15 +98,3 @@ class CIEIntermediate(SunlitSky):
         first = (1.35 * xp.sin(5.631 - 3.59 * view_zenith) + 3.12) * xp.sin(4.396 - 2.6 * sun_zenith)
         decay = -0.563 * ((2.629 - view_zenith) * (1.562 - sun_zenith) + 0.812)
         return (first + 6.37 - view_zenith) / 2.326 * xp.exp(sun_angle * decay)
-
-    def luminance(self, directions: Array) -> Array:
-        """Luminance toward each direction, cd m-2, shape (...,); 0 below the horizon and at night."""
-        namespace(directions, self.sun)
-        directions = checked_directions(directions, like=self.sun)
-        sun = floating(self.sun, like=directions)
-        _, sun_angle = view_geometry(directions, sun)
-        sun_zenith = zenith_angle(sun)
-        shape = self.relative(zenith_angle(directions), sun_angle, sun_zenith)
-        zenith = self.relative(sun_zenith * 0, sun_zenith, sun_zenith)
-        level = floating(self.zenith_luminance, like=directions)
-        return self.blanked(level * shape / zenith, directions, channels=0)

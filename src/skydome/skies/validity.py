@@ -1,6 +1,7 @@
 """The parameters of a model: their ranges as data, what to do outside them, and how maps and files tell them."""
 
 from collections.abc import Mapping
+from copy import deepcopy
 from dataclasses import dataclass, field, fields, is_dataclass
 from os import PathLike
 from typing import Any, ClassVar, Literal, cast
@@ -8,6 +9,7 @@ from typing import Any, ClassVar, Literal, cast
 import numpy as np
 
 from skydome.ground.arrays import Array, as_numpy, floating, is_array, limited, namespace
+from skydome.ground.files.contents import hash_of, same
 from skydome.ground.limits.ranges import FINITE, Bounded, Range, inside, numbers_of, require
 from skydome.light.spectrum import Spectrum
 
@@ -38,6 +40,13 @@ def is_one(weight: Any) -> bool:
     return isinstance(weight, int | float) and weight == 1
 
 
+def own(value: Any) -> Any:
+    """Arrays and lists copied, those in tuples too; anything else as it is."""
+    if isinstance(value, np.ndarray | list):
+        return deepcopy(value)
+    return tuple(map(own, value)) if type(value) is tuple else value
+
+
 @dataclass(frozen=True, eq=False)
 class Ranged(Bounded):
     """A dataclass of parameters with ranges, which it can tell; `check` says what happens outside (see `Sky`).
@@ -49,12 +58,24 @@ class Ranged(Bounded):
     check: Check = field(default="raise", kw_only=True)
 
     def __post_init__(self) -> None:
-        """Validate only; nothing is changed."""
+        """Validate; NumPy arrays become the sky's own, so that it stays what it was when the caller's change."""
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if isinstance(value, np.ndarray | list | tuple):
+                object.__setattr__(self, item.name, own(value))
         require_check(self.check)
         namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
         self.require_bounds()
         for name, interval in self.limits.items() if self.check != "nan" else ():
             require(name, getattr(self, name), interval if self.check == "raise" else FINITE)
+
+    def __eq__(self, other: object) -> bool:
+        """True for one class and the same parameters, by value."""
+        return self is other or (type(self) is type(other) and same(self, other))
+
+    def __hash__(self) -> int:
+        """Of class and parameters, by value."""
+        return hash((type(self), *(hash_of(getattr(self, item.name)) for item in fields(self))))
 
     @property
     def limits(self) -> Mapping[str, Range]:

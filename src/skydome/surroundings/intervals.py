@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -16,7 +17,9 @@ MOST_BETWEEN = 24
 
 
 class Surroundings(ABC):
-    """What is seen from one point: sky, ground, or a face by its number."""
+    """What is seen from one point: sky, ground, or a face by its number. `hides`: whether there can be a face."""
+
+    hides: ClassVar[bool] = True
 
     @abstractmethod
     def seen(self, directions: np.ndarray) -> np.ndarray:
@@ -30,6 +33,8 @@ class Open(Surroundings):
     >>> Open().seen(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).tolist()
     [-1, -2]
     """
+
+    hides: ClassVar[bool] = False
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
         """SKY above the horizon, GROUND below."""

@@ -48,6 +48,8 @@ def illuminance(
     if of_year.weather is not None:
         facts = year_on_planes(options, of_year, planes, horizon, ground_of(ground, options))
         show(facts, year_rows(facts), as_json)
+        if facts.get("failed"):
+            raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
         return
     if of_year != YearOptions() or len(planes) > 1:
         raise ValueError("more than one plane, and options of a year, need --weather FILE")

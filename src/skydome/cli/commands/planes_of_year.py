@@ -7,9 +7,11 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.year import minutes
+from skydome.cli.commands.planes_of_sites import many_sites
+from skydome.cli.commands.year import is_sites, minutes
 from skydome.cli.doors import progress, require_output
 from skydome.cli.options import SkyOptions, numbers
+from skydome.cli.printing import fact_rows
 from skydome.ground.extras import required
 
 PANEL = "A year on planes, from a weather file"
@@ -68,6 +70,14 @@ class YearOptions:
         ),
     ] = None
     reflectance: Annotated[float, Option(help="Reflectance of the mesh.", rich_help_panel=PANEL)] = 0.3
+    weather_folder: Annotated[
+        Path | None, Option(help="Where the files of --weather sites.csv (name,file) lie.", rich_help_panel=PANEL)
+    ] = None
+    scheduler: Annotated[
+        str | None, Option(metavar="ADDRESS", help="A Dask scheduler, for sites.csv.", rich_help_panel=PANEL)
+    ] = None
+    workers: Annotated[int, Option(help="Worker processes here, without a scheduler.", rich_help_panel=PANEL)] = 2
+    target: Annotated[float, Option(help="lx that autonomies of sites.csv are of.", rich_help_panel=PANEL)] = 1e4
 
 
 def year_on_planes(
@@ -85,6 +95,8 @@ def year_on_planes(
     if asked.output is not None:
         required(ENDINGS[asked.output.suffix.lower()], "year", f"a year as {asked.output.suffix}")
     known = planes_of(asked, planes, horizon, ground)
+    if asked.weather is not None and asked.weather.suffix.lower() == ".csv" and is_sites(asked.weather):
+        return many_sites(asked, known, ground)
     shift: Any = minutes(asked.shift)
     place = None if options.place is None else sd.Place.parse(options.place)
     with warnings.catch_warnings(record=True) as caught, progress("a year on planes"):
@@ -196,6 +208,8 @@ def facts_of(light: Any) -> dict[str, Any]:
 
 def year_rows(facts: dict[str, Any]) -> dict[str, str]:
     """The same for people: a row a plane."""
+    if "sites" in facts:
+        return fact_rows(facts)
     rows = {"site": facts["site"], "hours": f"{facts['hours']:,}"}
     if facts["missing_hours"]:
         rows["missing"] = f"{facts['missing_hours']:,.0f} h, counted as 0"

@@ -1,6 +1,7 @@
 """Files of many parts and of unknown size; single files are written by `ground.writing`.
 
 - reading   Files from anywhere: their size is known before they are unpacked; damaged ones are told
+- tensors   Bytes of a safetensors file that are the same for the same contents
 - folders   Folders that appear whole or not at all: stores, whoever begins them first
 - contents  A hash of what things hold, so that work is taken up for the same thing alone
 """

@@ -1,7 +1,7 @@
 """A hash of what things hold, so that work is taken up for the same thing alone."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import fields, is_dataclass
 from os import PathLike
 from pathlib import Path
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import as_numpy, is_array
+from skydome.ground.arrays import as_numpy, is_array, is_concrete
 
 
 def digest_of(*values: Any) -> str:
@@ -32,6 +32,43 @@ def digest_of_file(path: str | PathLike[str]) -> str:
     """A hash of a file's bytes, whatever its name."""
     with Path(path).open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def same(one: Any, other: Any) -> bool:
+    """True for things of one kind that hold the same: numbers and arrays by their values, dataclasses by their fields.
+
+    >>> import numpy as np
+    >>> same((1, np.ones(3)), (1.0, np.ones(3))), same(np.ones(3), np.zeros(3))
+    (True, False)
+    """
+    if one is other:
+        return True
+    if is_numeric(one) and is_numeric(other):
+        return np.array_equal(as_numpy(one), as_numpy(other))
+    if isinstance(one, tuple | list):
+        return type(one) is type(other) and len(one) == len(other) and all(map(same, one, other))
+    if is_dataclass(one) and not isinstance(one, type):
+        return type(one) is type(other) and all(
+            same(getattr(one, item.name), getattr(other, item.name)) for item in fields(one)
+        )
+    return bool(one == other)
+
+
+def hash_of(value: Any) -> int:
+    """A hash that is the same for whatever is `same`."""
+    if is_numeric(value):
+        array = np.asarray(as_numpy(value))
+        return hash((array.shape, (array + 0.0).astype(np.complex128).tobytes()))
+    if isinstance(value, tuple | list):
+        return hash((type(value), *map(hash_of, value)))
+    if is_dataclass(value) and not isinstance(value, type):
+        return hash((type(value), *(hash_of(getattr(value, item.name)) for item in fields(value))))
+    return hash(value) if isinstance(value, Hashable) else hash(type(value))
+
+
+def is_numeric(value: Any) -> bool:
+    """True for numbers and arrays of any library, without text."""
+    return isinstance(value, int | float | complex) or (is_array(value) and is_concrete(value))
 
 
 def take(state: Any, value: Any) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground.files.reading import decoding, tensors_in
+from skydome.ground.files.tensors import tensor_bytes
 from skydome.ground.tables import DATA
 from skydome.skies.all_air.rest import Rest, RestNetwork
 
@@ -43,8 +44,6 @@ def network_of(tensors: dict[str, np.ndarray], name: str) -> RestNetwork:
 
 def save_rest(path: str | PathLike[str], rest: Rest, provenance: str) -> None:
     """Write networks to a .safetensors file, whole or not at all, in float16, with how they were made as text."""
-    from safetensors.numpy import save
-
     from skydome.ground.writing import appearing
 
     tensors = {}
@@ -54,7 +53,7 @@ def save_rest(path: str | PathLike[str], rest: Rest, provenance: str) -> None:
             tensors[f"{name}_weights_{k}"], tensors[f"{name}_biases_{k}"] = weights, biases
     stored = {key: np.ascontiguousarray(value, dtype=np.float16) for key, value in tensors.items()}
     with appearing(path) as beside:
-        beside.write_bytes(save(stored, {"format": FORMAT, "provenance": provenance}))
+        beside.write_bytes(tensor_bytes(stored, {"format": FORMAT, "provenance": provenance}))
 
 
 @cache

@@ -4,8 +4,10 @@
 - perez_table          Perez's table: clearness, brightness, bins and letters
 - formula_sky          Skies that are nothing but coefficients of the nine-number formula
 - quantity             From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
+- shaped_sky           Skies of a shape of their own, brought to a level
 - level                The absolute level of skies that are known only up to a factor
 - sky_tables           Tables of a sky model in Hosek and Wilkie's form
+- older/               Older skies that the papers name, each by its own formula
 - fast                 The choice between the readable formula and its compiled float32 form
 - kernel               The nine numbers in float32, compiled: the fast second form of `perez_formula.evaluate`
 - nine_numbers_kernel  The compiled gradation and indicatrix, at one place and in rows

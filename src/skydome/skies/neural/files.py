@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.files.reading import decoding, tensors_in
+from skydome.ground.files.tensors import tensor_bytes
 from skydome.ground.tables import DATA
 from skydome.ground.writing import appearing
 from skydome.skies.neural.network import OUTPUTS, Network
@@ -18,8 +19,6 @@ MOST_BYTES = 16 * 1024**2
 
 def save_network(path: str | PathLike[str], network: Network, provenance: dict[str, Any]) -> None:
     """Write a network to a .safetensors file, atomically, with how it was made as text in the header."""
-    from safetensors.numpy import save
-
     tensors = {}
     for k, (weights, biases) in enumerate(network.layers):
         tensors[f"weights_{k}"], tensors[f"biases_{k}"] = weights, biases
@@ -32,7 +31,7 @@ def save_network(path: str | PathLike[str], network: Network, provenance: dict[s
         "provenance": json.dumps(provenance),
     }
     with appearing(path) as beside:
-        beside.write_bytes(save({name: np.ascontiguousarray(value) for name, value in tensors.items()}, about))
+        beside.write_bytes(tensor_bytes(tensors, about))
 
 
 def load_network(path: str | PathLike[str]) -> tuple[Network, dict[str, Any]]:

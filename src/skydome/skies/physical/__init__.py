@@ -13,4 +13,5 @@
 - held_rows           A held sky on rows and columns: maps, and the light on the horizontal
 - held_rows_kernel    The same compiled
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
+- prague/             The Prague sky model, fitted to path tracing, from the files that its authors publish
 """

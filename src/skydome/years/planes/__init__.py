@@ -6,4 +6,5 @@
 - light          Light on planes through a year, hour by hour: `on_planes("site.epw", Plane(30 * deg))`
 - sums           Sums of a year's light by month, and the sky of a period added up
 - table          Light on planes as a table for spreadsheets
+- portfolio      Many sites by many planes: monthly sums and autonomies, computed by Dask
 """

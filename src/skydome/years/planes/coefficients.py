@@ -29,8 +29,9 @@ class PlaneCoefficients:
     def of_suns(self, suns: np.ndarray, radii: np.ndarray) -> np.ndarray:
         """Direct light per normal light of suns (T, 3) of angular `radii` (T,): cosine times the share not hidden."""
         cosine: np.ndarray = np.maximum(suns @ self.view.normal, 0)
-        rows = np.flatnonzero(cosine > 0)
-        cosine[rows] *= share_of_disc(suns[rows], radii[rows], self.view.surroundings)
+        if self.view.surroundings.hides:
+            rows = np.flatnonzero(cosine > 0)
+            cosine[rows] *= share_of_disc(suns[rows], radii[rows], self.view.surroundings)
         return cosine
 
 

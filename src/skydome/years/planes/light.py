@@ -65,7 +65,8 @@ def on_planes(
     import xarray
 
     skies = year if isinstance(year, xarray.Dataset) else year_of(year, **({"patches": FINE} | reading))
-    return dataset(skies, planes, albedo, model)
+    known = Coefficients.of(planes, patches_named(skies.attrs["patches"]), albedo)
+    return on_known(skies, planes, known, albedo, model)
 
 
 def check(planes: Sequence[Plane], albedo: float, model: Transposition) -> None:
@@ -89,14 +90,21 @@ def suns_of(skies: "xarray.Dataset") -> np.ndarray:
     return toward
 
 
-def dataset(skies: "xarray.Dataset", planes: Sequence[Plane], albedo: float, model: Transposition) -> "xarray.Dataset":
-    """The Dataset of the light on the planes."""
+def distances_of(times: np.ndarray) -> np.ndarray:
+    """Distance to the sun, AU, at the midnight before each time, (T,)."""
+    days, which = np.unique(times.astype("datetime64[D]"), return_inverse=True)
+    found: np.ndarray = np.asarray(earth_sun_distance(days))[which] if len(days) else np.zeros(0)
+    return found
+
+
+def on_known(
+    skies: "xarray.Dataset", planes: Sequence[Plane], known: Coefficients, albedo: float, model: Transposition
+) -> "xarray.Dataset":
+    """The Dataset of the light on planes whose coefficients are known, of whichever site."""
     import xarray
 
-    cut = patches_named(skies.attrs["patches"])
-    known = Coefficients.of(planes, cut, albedo)
     lit = np.flatnonzero((skies["lit_share"].values > 0) & np.isfinite(skies["diffuse_horizontal_irradiance"].values))
-    suns, distance = suns_of(skies)[lit], earth_sun_distance(skies["time"].values[lit].astype("datetime64[D]"))
+    suns, distance = suns_of(skies)[lit], distances_of(skies["time"].values[lit])
     series = {name: skies[name].values[lit] for name in SERIES}
     hours = Hours(
         suns,

@@ -29,19 +29,21 @@ def monthly_sums(light: "xarray.Dataset") -> "xarray.Dataset":
     required("xarray", "year", "sums of a year")
     import xarray
 
-    month = light["local_time"].dt.month
-    hours = light["interval_hours"]
+    local = light["local_time"].values.astype("datetime64[M]").astype(np.int64) % 12 + 1
+    months = np.unique(local)
+    hours = (months[:, None] == local) * light["interval_hours"].values  # (M, T)
     found: dict[str, Any] = {}
     for name in light.data_vars:
         part, _, quantity = str(name).rpartition("_")
         if quantity in SUMS:
             title, unit = SUMS[quantity]
-            total = (light[name] * hours / 1000).groupby(month.rename("month")).sum("time")
             text = str(light[name].attrs["long_name"]).replace(quantity, title.replace("_", " "))
-            found[f"{part}_{title}".lstrip("_")] = total.assign_attrs(units=unit, long_name=text)
-    lacking = (light["irradiance"].isnull().any("plane") * hours).groupby(month.rename("month")).sum("time")
-    found["missing_hours"] = lacking.assign_attrs(units="h", long_name="hours without data, counted as 0")
-    return xarray.Dataset(found, attrs=light.attrs)
+            total = hours @ np.nan_to_num(light[name].values) / 1000
+            found[f"{part}_{title}".lstrip("_")] = (("month", "plane"), total, {"units": unit, "long_name": text})
+    lacking = hours @ np.isnan(light["irradiance"].values).any(axis=1)
+    found["missing_hours"] = ("month", lacking, {"units": "h", "long_name": "hours without data, counted as 0"})
+    planes = {name: value.variable for name, value in light.coords.items() if value.dims == ("plane",)}
+    return xarray.Dataset(found, {"month": months} | planes, light.attrs)
 
 
 def cumulative_sky(skies: "xarray.Dataset", when: ArrayLike | None = None) -> "xarray.Dataset":

@@ -19,9 +19,9 @@ from skydome.ground.limits.ranges import SHARE, Range
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.discrete_ordinates import across
-from skydome.skies.prague.file import Curves, PragueFile, read_prague
-from skydome.skies.prague.geometry import SAFETY, Angles, Place, angles_of, dip
-from skydome.skies.prague.transmittance import transmittance_of
+from skydome.skies.physical.prague.file import Curves, PragueFile, read_prague
+from skydome.skies.physical.prague.geometry import SAFETY, Angles, Place, angles_of, dip
+from skydome.skies.physical.prague.transmittance import transmittance_of
 from skydome.skies.sky import SunlitSky
 
 AT_ONCE = 1 << 14

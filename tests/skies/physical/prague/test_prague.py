@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import skydome as sd
-from skydome.skies.prague.file import read_prague
+from skydome.skies.physical.prague.file import read_prague
 
-spec = importlib.util.spec_from_file_location("catalogue", Path(__file__).parents[1] / "catalogue.py")
+spec = importlib.util.spec_from_file_location("catalogue", Path(__file__).parents[2] / "catalogue.py")
 catalogue = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(catalogue)
 SMALL = catalogue.PRAGUE

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from skydome.skies.prague.file import Passage
-from skydome.skies.prague.geometry import RADIUS, SAFETY, Place
+from skydome.skies.physical.prague.file import Passage
+from skydome.skies.physical.prague.geometry import RADIUS, SAFETY, Place
 
 TOP = 100_000.0
 """Height of the atmosphere, m."""
