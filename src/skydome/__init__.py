@@ -17,6 +17,7 @@ HOME = {
     "sun.position": "sun_direction sun_angles earth_sun_distance solar_radius",
     "sun.preetham_position": "preetham_sun_direction",
     "sun.events": "sun_events SunEvents",
+    "sun.path": "sun_path SunPath",
     "light.spectrum": "Spectrum",
     "light.colour": "SRGB SRGB_PRINTED REC2020 ACESCG RADIANCE RGBSpace",
     "light.colour_temperature": "colour_temperature duv",

@@ -11,5 +11,6 @@
 - day_events         The events of one day as roots of SPA's elevation
 - many_days          The events of many days at once, found on the interpolated course, then on SPA's elevation
 - events             The events of a day or of many: sunrise, noon, sunset and the three twilights
+- path               The sun's path through a day, to be drawn on a sky or read as a table
 - preetham_position  Where the sun stands by Preetham 1999, appendix A.6: short, and good to about a degree
 """
