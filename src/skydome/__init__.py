@@ -38,6 +38,7 @@ HOME = {
     "skies.formula.level": "clear_zenith_luminance overcast_zenith_luminance",
     "skies.perez": "Perez",
     "skies.perez_all_weather": "PerezAllWeather",
+    "skies.formula.igawa": "Igawa",
     "skies.preetham": "Preetham",
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
     "skies.daylight_sky": "Daylight ColourByLuminance ColourOf",

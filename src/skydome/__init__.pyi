@@ -96,6 +96,7 @@ from skydome.skies.colour_sky import SpectralSky as SpectralSky
 from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance
 from skydome.skies.daylight_sky import ColourOf as ColourOf
 from skydome.skies.daylight_sky import Daylight as Daylight
+from skydome.skies.formula.igawa import Igawa as Igawa
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper as BrungerHooper

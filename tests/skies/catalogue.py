@@ -36,6 +36,7 @@ SKIES = {
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "perez-smooth": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), smooth=True),
+    "igawa": lambda sun, one: sd.Igawa(sun, *irradiances(sun, one)),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
     "preetham-authors": lambda sun, one: sd.Preetham(sun, one * 3.2, PreethamNumbers.AUTHORS),
     "hosek-wilkie": lambda sun, one: sd.HosekWilkie(sun, one * 3.2, one * 0.3),

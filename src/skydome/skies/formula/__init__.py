@@ -3,6 +3,7 @@
 - perez_formula        The nine numbers: the extended Perez formula from which nearly every analytic sky is made
 - perez_table          Perez's table: clearness, brightness, bins and letters
 - formula_sky          Skies that are nothing but coefficients of the nine-number formula
+- igawa                Igawa's all-sky model: five letters from how bright and how cloudless a sky is
 - quantity             From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
 - shaped_sky           Skies of a shape of their own, brought to a level
 - level                The absolute level of skies that are known only up to a factor
