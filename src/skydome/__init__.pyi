@@ -124,6 +124,8 @@ from skydome.skies.uniform import MoonSpencer as MoonSpencer
 from skydome.skies.uniform import Uniform as Uniform
 from skydome.sun.events import SunEvents as SunEvents
 from skydome.sun.events import sun_events as sun_events
+from skydome.sun.path import SunPath as SunPath
+from skydome.sun.path import sun_path as sun_path
 from skydome.sun.place import Place as Place
 from skydome.sun.position import earth_sun_distance as earth_sun_distance
 from skydome.sun.position import solar_radius as solar_radius
