@@ -21,7 +21,7 @@ class SunPath:
 
     >>> path = sun_path(Place(45.07, 7.69), "2026-06-21")
     >>> round(float(path.elevations.max()), 1), round(path.daylight_hours, 1)
-    (68.4, 15.5)
+    (68.4, 15.4)
     """
 
     place: Place
@@ -62,7 +62,8 @@ class SunPath:
             ax.set(xlabel="azimuth, degrees from north", ylabel="elevation, degrees", xlim=(0, 360), ylim=(0, 90))
             return ax
         radius = 1 - height / 90
-        ax.plot(-radius * np.sin(turn), radius * np.cos(turn), **({"color": "white", "lw": 1.4, "zorder": 4} | style))
+        drawn: dict[str, Any] = {"color": "white", "lw": 1.4, "zorder": 4} | style
+        ax.plot(-radius * np.sin(turn), radius * np.cos(turn), **drawn)
         return ax
 
 
