@@ -89,8 +89,11 @@ def header(path: str | PathLike[str]) -> dict[str, Any]:
 
 def size(stated: Mapping[str, Any]) -> tuple[int, int]:
     """Rows and columns of the picture whose `header` is given."""
-    low, high = stated["dataWindow"]
-    columns, rows = (int(b) - int(a) + 1 for a, b in zip(low, high, strict=True))
+    try:
+        low, high = stated["dataWindow"]
+        columns, rows = (int(b) - int(a) + 1 for a, b in zip(low, high, strict=True))
+    except (KeyError, TypeError) as error:
+        raise ValueError("an OpenEXR file must say its dataWindow") from error
     return rows, columns
 
 
