@@ -2,14 +2,15 @@
 
 import { VERSION as ADDRESS_VERSION } from "./state";
 import { azimuth, elevation, DEG, type Vec3 } from "../core/vector";
-import type { View } from "../picture/view";
+import { placeOf, type View } from "../picture/view";
 import { MODELS } from "../skies/catalogue";
+import { asCommand, asPython, asShader } from "../files/words";
 import { analemma, dayPath } from "../sun/path";
 import { readAddress, writeAddress } from "./address";
 import type { Control } from "./controls";
 import { section, segments } from "./controls";
 import { h, icon, tell } from "./element";
-import { takeAway } from "./takeaway";
+import { exrOf, takeAway } from "./takeaway";
 import { onKeys } from "./keyboard";
 import { Legend, STOPS } from "./legend";
 import { pictureSection, skySection } from "./panel";
@@ -100,6 +101,12 @@ export class Explorer {
     if (!this.frame) this.frame = requestAnimationFrame(() => this.draw());
   }
 
+  /** Draw at full size at once. */
+  drawNow(): void {
+    this.moving = false;
+    this.draw();
+  }
+
   private draw(): void {
     this.frame = 0;
     const begun = performance.now();
@@ -188,9 +195,24 @@ export class Explorer {
     return this.stage.renderer.read(this.scene.skies[which], view, width, height);
   }
 
+  /** The sky in the words of others. */
+  get words(): { python: string; command: string; shader: string } {
+    return { python: asPython(this.scene), command: asCommand(this.scene), shader: asShader(this.scene.skies[0]) };
+  }
+
+  /** The map as an OpenEXR file. */
+  exr(height: number): Promise<Uint8Array<ArrayBuffer>> {
+    return exrOf(this, height);
+  }
+
   /** The exposure value in use. */
   get exposure(): number {
     return Number((this.state.ev ?? usualEV(this.scene.skies[0])).toFixed(2));
+  }
+
+  /** Where the sun lies in the picture, 0..1 from the left and from the top. */
+  get sunPlace(): [number, number] {
+    return placeOf(this.stage.view(this.scene), this.scene.sun);
   }
 
   /** The sun's azimuth and elevation, degrees. */

@@ -104,8 +104,8 @@ function vectors(names: string[]): string[] {
   return Array.from({ length: padded.length / 4 }, (_, k) => `vec4(${padded.slice(4 * k, 4 * k + 4).join(", ")})`);
 }
 
-/** GLSL of a network's light, its numbers in the block `W`. */
-function networkSky(network: Network): string {
+/** GLSL of a network's light, its numbers in `W`, which `declared` declares. */
+export function networkText(network: Network, spelled: Record<string, string>, declared: string): string {
   const lines: string[] = [];
   let at = 0;
   let names = network.inputs.map((_, k) => `i${k}`);
@@ -128,9 +128,9 @@ function networkSky(network: Network): string {
   });
   const lights = declare("l");
   const xyz = [0, 1, 2].map((r) => lights.map((name, k) => `dot(W[${at + r * lights.length + k}], ${name})`).join(" + "));
-  const inputs = network.inputs.map((name, k) => `float i${k} = ${INPUTS[name]};`);
+  const inputs = network.inputs.map((name, k) => `float i${k} = ${spelled[name]};`);
   return `
-layout(std140) uniform Weights { vec4 W[${networkBlock(network).length / 4}]; };
+${declared}
 vec3 sky_xyz(vec3 d) {
     float east = d.x, north = d.y, up = max(d.z, 0.0);
     vec3 apart = d - sun;
@@ -141,6 +141,9 @@ vec3 sky_xyz(vec3 d) {
 `;
 }
 
+const block = (network: Network): string =>
+  `layout(std140) uniform Weights { vec4 W[${networkBlock(network).length / 4}]; };`;
+
 /** Name of the program that a recipe needs: recipes of one name differ by uniforms alone. */
 export function programKey(recipe: Recipe): string {
   if (recipe.kind === "formula") return recipe.hosek ? "hosek" : "formula";
@@ -150,7 +153,7 @@ export function programKey(recipe: Recipe): string {
 
 /** The fragment shader of a recipe's sky. */
 export function skyShader(recipe: Recipe): string {
-  if (recipe.kind === "network") return HEAD + networkSky(recipe) + SKY_MAIN;
+  if (recipe.kind === "network") return HEAD + networkText(recipe, INPUTS, block(recipe)) + SKY_MAIN;
   if (recipe.kind === "fields") throw new Error("not yet");
   const name = recipe.hosek ? "hosek_channel" : "skydome_channel";
   return HEAD + FORMULA + FORMULA_SKY.replace("CHANNEL", name) + SKY_MAIN;
