@@ -20,6 +20,7 @@ import { exposureOf, groundXYZ, numbersOf, sceneOf, usualBar, usualEV, type Numb
 import { Stage, type Lines } from "./stage";
 import type { State } from "./state";
 import { Timeline } from "./timeline";
+import { Year } from "./year";
 
 export interface Choices {
   /** The state at first, as the address has it. */
@@ -44,6 +45,7 @@ export class Explorer {
   private readout = new Readout();
   private legend = new Legend((part, dragging) => this.change(part, dragging));
   private timeline: Timeline;
+  readonly year: Year;
   private places = new Places((part) => this.change(part));
   private notice = h("div", { class: "notice", role: "alert", hidden: true });
   private empty = h("div", { class: "empty", hidden: true });
@@ -59,11 +61,13 @@ export class Explorer {
     const change = (part: Partial<State>, dragging = false): void => this.change(part, dragging);
     this.stage = new Stage(change, (toward, x, y, right) => this.ask(toward, x, y, right), () => this.change({}));
     this.timeline = new Timeline(change, () => this.state);
+    this.year = new Year(this);
     this.build();
     onKeys(this);
     if (read.refused.length) this.say(`Not understood in the address: ${read.refused.join(", ")}`);
     new ResizeObserver(() => this.change({}, true)).observe(this.stage.element);
     this.change({});
+    if (this.state.url) void this.year.fetch(this.state.url);
   }
 
   private build(): void {
@@ -79,9 +83,9 @@ export class Explorer {
     this.root.classList.add("sd-explorer");
     this.root.replaceChildren(
       h("header", {}, h("h1", {}, icon(SUN), "skydome"), view.element, show.element, h("span", { class: "space" }), theme),
-      h("main", {}, this.stage.element, this.timeline.element),
+      h("main", {}, this.stage.element, h("div", {}, this.year.element, this.timeline.element)),
       h("aside", { "aria-label": "Sky, place and light" }, sky.element, section("Light", this.readout.element),
-        section("Place", this.places.element), picture.element, takeAway(this)),
+        section("Place", this.places.element, h("div", { class: "buttons" }, this.year.open)), picture.element, takeAway(this)),
     );
   }
 

@@ -36,6 +36,7 @@ function header(explorer: Explorer): Record<string, Attribute> {
   return {
     chromaticities: chromaticities(TABLES.colour.chromaticities), whiteLuminance: floatAttribute(1), envmap: latlong,
     comments: textAttribute("RGB times 1 is luminance in cd m-2 (Y); texel centres."), ...place,
+    "skydome:projection": textAttribute(`Equirectangular(azimuth_left=${TARGETS[state.target].left * DEG}, mirrored=False)`),
     "skydome:model": textAttribute(scene.skies[0].name), "skydome:target": textAttribute(state.target),
     "skydome:caption": textAttribute(caption(explorer)), "skydome:software": textAttribute(`skydome ${TABLES.version} explorer`),
   };
@@ -57,6 +58,7 @@ export function exrOf(explorer: Explorer, height: number): Promise<Uint8Array<Ar
 export function hdrOf(explorer: Explorer, height: number): Uint8Array<ArrayBuffer> {
   const primaries = TABLES.colour.chromaticities.map((value) => value.toFixed(4)).join(" ");
   const lines = ["SOFTWARE=skydome explorer", "EXPOSURE=1", `PRIMARIES=${primaries}`, `skydome:target=${explorer.state.target}`,
+    `skydome:projection=Equirectangular(azimuth_left=${TARGETS[explorer.state.target].left * DEG}, mirrored=False)`,
     `skydome:caption=${caption(explorer)}`, `skydome:efficacy=${EFFICACY}`];
   return hdrFile(pixelsOf(explorer, height), 2 * height, height, lines);
 }
