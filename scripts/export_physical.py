@@ -1,8 +1,8 @@
 """The physical sky in a table small enough for the explorer's page: `python scripts/export_physical.py`.
 
 Under one sun its light is a few smooth fields over half the dome (`HeldSky`): what each constituent scatters once, and
-the rest. Over sun heights, turbidities and grounds these fields are sums of few shapes: each height's span has a basis of
-its own (singular vectors), and a condition is its coefficients and the size of each field. Numbers are float16 in base64.
+the rest. Over sun heights, turbidities and grounds these fields are sums of few shapes: each height's span has a basis
+of its own (singular vectors), and a condition is its coefficients and the size of each field. float16 in base64.
 """
 
 import base64
@@ -48,7 +48,10 @@ def on_turns(series: np.ndarray) -> np.ndarray:
 
 
 def fields_of(elevation: float, turbidity: float) -> dict[str, Any]:
-    """Fields of one sun and air: once (nodes, turns, 3, 3), the aerosol's for each turbidity above 1, rest (albedos, nodes, turns, 3), lux, the sun as seen."""
+    """Fields of one sun and air: once (nodes, turns, 3, 3), rest (albedos, nodes, turns, 3), lux, the sun as seen.
+
+    The aerosol's are for each turbidity above 1.
+    """
     model, sun = model_named("physical"), sd.direction(0.0, elevation * sd.deg)
     made = [model.make(sun, {"turbidity": turbidity, "albedo": albedo}) for albedo in ALBEDOS]
     held = made[0].held()

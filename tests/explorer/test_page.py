@@ -80,8 +80,8 @@ def test_its_shader_compiles(opened, model):
 
 def drag_sun(page, dx, dy):
     """Take hold of the sun and move it by so many pixels."""
-    code = "[...document.querySelectorAll('.over')].map(c => c.getBoundingClientRect()).map(r => [r.x, r.y, r.width, r.height])[0]"
-    left, top, width, height = page.ask(code)
+    box = page.page.locator(".over").bounding_box()
+    left, top, width, height = (box[name] for name in ("x", "y", "width", "height"))
     u, v = page.ask("explorer.sunPlace")
     x, y = left + u * width, top + v * height
     mouse = page.page.mouse
@@ -122,8 +122,23 @@ def test_an_address_comes_back_as_it_was(opened):
 def test_hostile_addresses_change_nothing_else(opened, text):
     from urllib.parse import quote
 
-    keys = ("model", "beside", "place", "zone", "name", "date", "time", "sun", "turbidity", "view", "ev", "bar", "url", "nonsense")
-    page = opened("?" + "&".join(f"{key}={quote(text)}" for key in keys))
+    keys = ["model", "beside", "place", "zone", "name", "date", "time", "sun", "turbidity", "view", "ev", "bar", "url"]
+        "model",
+        "beside",
+        "place",
+        "zone",
+        "name",
+        "date",
+        "time",
+        "sun",
+        "turbidity",
+        "view",
+        "ev",
+        "bar",
+        "url",
+        "nonsense",
+    ]
+    page = opened("?" + "&".join(f"{key}={quote(text)}" for key in [*keys, "nonsense"]))
     state = page.ask("explorer.state")
     assert state["model"] == "hosek-wilkie"
     assert state["turbidity"] == 3
@@ -158,3 +173,57 @@ def test_the_suns_place_is_the_librarys(opened):
         expected = sd.sun_direction(sd.Place(latitude, longitude), f"{day}T{minutes // 60:02d}:{minutes % 60:02d}Z")
         found = np.array(page.ask("explorer.scene.sun"))
         assert float(sd.angle_between(found, expected)) < 3e-4 * sd.deg
+
+
+HEAD = "LOCATION,{name},-,ITA,IWEC,160590,45.22,7.65,1.0,287.0\n" + "-\n" * 7
+
+
+def epw(name="TORINO", hours=None):
+    """A short weather file."""
+    rows = hours or [
+        f"1983,6,21,{hour},60,x,20.0,10.0,50,101000,0,0,0,{20 * hour},{30 * hour},{10 * hour}" for hour in range(1, 25)
+    ]
+    return HEAD.format(name=name) + "\n".join(rows)
+
+
+def show(page, text):
+    """Give the page a weather file, and what it says of it."""
+    page.page.evaluate("text => document.getElementById('skydome-explorer').explorer.year.show(text, 'site.epw')", text)
+    page.settle()
+    return page.page.locator(".notice").text_content()
+
+
+def test_an_hour_of_a_weather_file_is_shown(opened):
+    page = opened()
+    assert show(page, epw()) == ""
+    state = page.ask("explorer.state")
+    assert (state["model"], state["name"], state["dni"], state["dhi"]) == ("perez-all-weather", "TORINO, ITA", 450, 150)
+    expected = sd.sun_direction(sd.Place(45.22, 7.65), f"{state['date'][:4]}-06-21T14:30+01:00")
+    assert float(sd.angle_between(np.array(page.ask("explorer.scene.sun")), expected)) < 1e-3 * sd.deg
+    assert page.page.locator(".year").is_visible()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "line 1: an .epw file begins with LOCATION"),
+        ("<script>alert(1)</script>", "line 1"),
+        (epw(hours=["1983,6,21,5,60,x,20.0,10.0"]), "line 9: an hour must have 16 fields or more, got 8"),
+        (epw(hours=["1983,13,21,5,60,x,20,10,50,1,0,0,0,1,1,1"]), "line 9: the month must be a number in [1, 12]"),
+        (epw(hours=["1983,2,30,5,60,x,20,10,50,1,0,0,0,1,1,1"]), "line 9: the day"),
+        (epw(hours=["1983,6,21,5,60,x,20,10,50,1,0,0,0,1,<img src=x onerror=alert(1)>,1"]), "line 9: the direct"),
+        (HEAD.format(name="x"), "no hours"),
+    ],
+)
+def test_damaged_weather_files_are_told_by_line(opened, text, said):
+    page = opened()
+    assert said in show(page, text)
+    assert page.ask("explorer.state.model") == "hosek-wilkie"
+    assert page.page.evaluate("document.querySelectorAll('img, script:not([src])').length") == 0
+
+
+def test_names_from_files_stay_text(opened):
+    page = opened()
+    assert show(page, epw(name="<img src=x onerror=alert(1)>")) == ""
+    assert page.page.evaluate("document.querySelectorAll('img').length") == 0
+    assert "<img" in page.page.locator(".year b").text_content()
