@@ -123,21 +123,6 @@ def test_hostile_addresses_change_nothing_else(opened, text):
     from urllib.parse import quote
 
     keys = ["model", "beside", "place", "zone", "name", "date", "time", "sun", "turbidity", "view", "ev", "bar", "url"]
-        "model",
-        "beside",
-        "place",
-        "zone",
-        "name",
-        "date",
-        "time",
-        "sun",
-        "turbidity",
-        "view",
-        "ev",
-        "bar",
-        "url",
-        "nonsense",
-    ]
     page = opened("?" + "&".join(f"{key}={quote(text)}" for key in [*keys, "nonsense"]))
     state = page.ask("explorer.state")
     assert state["model"] == "hosek-wilkie"
