@@ -25,3 +25,6 @@ notebooks:
 
 bench:
     python benchmarks/run.py
+
+fuzz times="20" seed="1":
+    SKYDOME_FUZZ={{times}} SKYDOME_FUZZ_SEED={{seed}} python -m pytest -q tests/fuzz

@@ -17,6 +17,7 @@ import numpy as np
 
 import skydome as sd
 from skydome.air.atmosphere import USUAL_ALBEDO
+from skydome.air.cross_sections import rayleigh_depth
 from skydome.dome.ground_light import USUAL_ALBEDO as GROUND_ALBEDO
 from skydome.export.formula_shader import angle_function, channel_function
 from skydome.export.network_shader import INPUTS
@@ -147,6 +148,7 @@ def tables() -> dict[str, Any]:
         "clearShape": plain(CLEAR_SHAPE[0]),
         "highest": HIGHEST,
         "efficacy": LUMINOUS_EFFICACY,
+        "rayleigh": float(rayleigh_depth([550.0])[0]),
         "albedo": {"sky": USUAL_ALBEDO, "ground": GROUND_ALBEDO},
         "nodes": {"near": plain(near), "weight": plain(weight)},
         "limits": {

@@ -12,6 +12,7 @@ from skydome.skies.catalogue import model_named
 pytestmark = pytest.mark.slow
 
 HEIGHT = 64
+TWILIGHT = ((200.0, 60.0), (95.0, 22.0), (300.0, 4.3), (280.0, 0.7), (280.0, -4.2), (60.0, -9.3))
 SUNS = ((200.0, 60.0), (95.0, 22.0), (300.0, 4.0))
 AIR = {"turbidity": 3.4, "albedo": 0.35}
 MEASURED = {"direct_normal_irradiance": 610.0, "diffuse_horizontal_irradiance": 140.0, "dew_point": 4.0}
@@ -35,15 +36,16 @@ def test_every_model_has_the_librarys_light(opened):
     u = (np.arange(2 * HEIGHT) + 0.5) / (2 * HEIGHT) * 2 * np.pi
     directions = np.asarray(sd.direction(u[None, :], np.pi / 2 - v[:, None]))
     for name in page.ask("explorer.models"):
-        for sun in SUNS:
+        for sun in TWILIGHT if name == "physical" else SUNS:
             page.change(model=name, sun=list(sun), **AIR, dni=610, dhi=140, dew=4)
             wanted = scene(name, sun)
-            expected = wanted.sky.xyz(directions)
+            sky = wanted.sky.held() if name == "physical" else wanted.sky
+            expected = sky.xyz(directions)
             found = page.xyz(HEIGHT)[: HEIGHT // 2]
             error = np.abs(found - expected).max() / expected.max()
-            assert error < 2e-5, (name, sun, error)
-            facts = light_facts(wanted)
+            assert error < (1e-2 if name == "physical" else 2e-5), (name, sun, error)
+            facts, close = light_facts(wanted), 1e-2 if name == "physical" else 1e-5
             numbers = page.ask("explorer.numbers[0]")
-            assert numbers["zenith"][1] == pytest.approx(facts["zenith_luminance_cd_m2"], rel=1e-5), (name, sun)
+            assert numbers["zenith"][1] == pytest.approx(facts["zenith_luminance_cd_m2"], rel=close), (name, sun)
             for key in ("diffuse", "direct", "global"):
-                assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=5e-4), (name, sun, key)
+                assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=50 * close), (name, sun, key)

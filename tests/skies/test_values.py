@@ -53,3 +53,12 @@ def test_equal_numbers_are_equal_however_they_are_written():
     assert hash(sd.Preetham(SUN, 3)) == hash(sd.Preetham(SUN, np.array(3.0)))
     assert sd.Preetham(SUN, 3.0) != sd.Preetham(SUN, 3.1)
     assert sd.Preetham(SUN, 3.0) != sd.Preetham(SUN, 3.0, check="clamp")
+
+
+def test_many_suns_are_not_taken_for_one():
+    """A disc of shape (2,) on one plane gave the first one's light, without a word."""
+    with pytest.raises(ValueError, match="give many suns an axis of 1"):
+        sd.illuminance(sd.SunDisc(SUN, np.array([2.0, 3.0])), sd.ZENITH)
+    each = [float(sd.illuminance(sd.SunDisc(SUN, t), sd.ZENITH)) for t in (2.0, 3.0)]
+    many = sd.SunDisc(np.broadcast_to(SUN, (2, 1, 3)), np.array([[2.0], [3.0]]))
+    np.testing.assert_allclose(sd.illuminance(many, sd.ZENITH), each)

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 TESTS = Path(__file__).parents[1]
-ACROSS = {"docs", "golden", "structure", "skies/differentiable"}
-"""Pages, golden numbers, this folder, and what every sky does with arrays of every library."""
+ACROSS = {"docs", "fuzz", "golden", "structure", "skies/differentiable"}
+"""Pages, fuzzers, golden numbers, this folder, and what every sky does with arrays of every library."""
 
 ELSEWHERE = {"figures", "cli/commands", "cli/learning"}
 """Rooms tested by the command line's tests."""

@@ -2,14 +2,15 @@
 
 import { VERSION as ADDRESS_VERSION } from "./state";
 import { azimuth, elevation, DEG, type Vec3 } from "../core/vector";
-import type { View } from "../picture/view";
+import { placeOf, type View } from "../picture/view";
 import { MODELS } from "../skies/catalogue";
+import { asCommand, asPython, asShader } from "../files/words";
 import { analemma, dayPath } from "../sun/path";
 import { readAddress, writeAddress } from "./address";
 import type { Control } from "./controls";
 import { section, segments } from "./controls";
 import { h, icon, tell } from "./element";
-import { takeAway } from "./takeaway";
+import { exrOf, takeAway } from "./takeaway";
 import { onKeys } from "./keyboard";
 import { Legend, STOPS } from "./legend";
 import { pictureSection, skySection } from "./panel";
@@ -19,6 +20,7 @@ import { exposureOf, groundXYZ, numbersOf, sceneOf, usualBar, usualEV, type Numb
 import { Stage, type Lines } from "./stage";
 import type { State } from "./state";
 import { Timeline } from "./timeline";
+import { Year } from "./year";
 
 export interface Choices {
   /** The state at first, as the address has it. */
@@ -43,6 +45,7 @@ export class Explorer {
   private readout = new Readout();
   private legend = new Legend((part, dragging) => this.change(part, dragging));
   private timeline: Timeline;
+  readonly year: Year;
   private places = new Places((part) => this.change(part));
   private notice = h("div", { class: "notice", role: "alert", hidden: true });
   private empty = h("div", { class: "empty", hidden: true });
@@ -58,11 +61,13 @@ export class Explorer {
     const change = (part: Partial<State>, dragging = false): void => this.change(part, dragging);
     this.stage = new Stage(change, (toward, x, y, right) => this.ask(toward, x, y, right), () => this.change({}));
     this.timeline = new Timeline(change, () => this.state);
+    this.year = new Year(this);
     this.build();
     onKeys(this);
     if (read.refused.length) this.say(`Not understood in the address: ${read.refused.join(", ")}`);
     new ResizeObserver(() => this.change({}, true)).observe(this.stage.element);
     this.change({});
+    if (this.state.url) void this.year.fetch(this.state.url);
   }
 
   private build(): void {
@@ -78,9 +83,9 @@ export class Explorer {
     this.root.classList.add("sd-explorer");
     this.root.replaceChildren(
       h("header", {}, h("h1", {}, icon(SUN), "skydome"), view.element, show.element, h("span", { class: "space" }), theme),
-      h("main", {}, this.stage.element, this.timeline.element),
+      h("main", {}, this.stage.element, h("div", {}, this.year.element, this.timeline.element)),
       h("aside", { "aria-label": "Sky, place and light" }, sky.element, section("Light", this.readout.element),
-        section("Place", this.places.element), picture.element, takeAway(this)),
+        section("Place", this.places.element, h("div", { class: "buttons" }, this.year.open)), picture.element, takeAway(this)),
     );
   }
 
@@ -98,6 +103,12 @@ export class Explorer {
   private schedule(moving: boolean): void {
     this.moving = moving || (this.stage.dragging && this.moving);
     if (!this.frame) this.frame = requestAnimationFrame(() => this.draw());
+  }
+
+  /** Draw at full size at once. */
+  drawNow(): void {
+    this.moving = false;
+    this.draw();
   }
 
   private draw(): void {
@@ -188,9 +199,24 @@ export class Explorer {
     return this.stage.renderer.read(this.scene.skies[which], view, width, height);
   }
 
+  /** The sky in the words of others. */
+  get words(): { python: string; command: string; shader: string } {
+    return { python: asPython(this.scene), command: asCommand(this.scene), shader: asShader(this.scene.skies[0]) };
+  }
+
+  /** The map as an OpenEXR file. */
+  exr(height: number): Promise<Uint8Array<ArrayBuffer>> {
+    return exrOf(this, height);
+  }
+
   /** The exposure value in use. */
   get exposure(): number {
     return Number((this.state.ev ?? usualEV(this.scene.skies[0])).toFixed(2));
+  }
+
+  /** Where the sun lies in the picture, 0..1 from the left and from the top. */
+  get sunPlace(): [number, number] {
+    return placeOf(this.stage.view(this.scene), this.scene.sun);
   }
 
   /** The sun's azimuth and elevation, degrees. */

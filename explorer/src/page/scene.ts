@@ -14,6 +14,8 @@ export interface Scene {
   /** Milliseconds since 1970; of the chosen date and hour, a sun set by hand or not. */
   utc: number;
   sun: Vec3;
+  /** Distance of the sun, AU; 1 where it is set by hand. */
+  distance: number;
   model: Model;
   /** One sky, or two side by side. */
   skies: Sky[];
@@ -42,7 +44,7 @@ export function sceneOf(state: State): Scene {
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
-  return { state, utc, sun, model, skies };
+  return { state, utc, sun, distance, model, skies };
 }
 
 /** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */

@@ -2,7 +2,8 @@
 
 import { TABLES } from "../core/tables";
 import type { Vec3 } from "../core/vector";
-import type { Sky } from "../skies/sky";
+import { ROWS, TURNS } from "../skies/grid";
+import type { Fields, Sky } from "../skies/sky";
 import { DISPLAY } from "./display";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";
 import type { View } from "./view";
@@ -33,6 +34,7 @@ export class Renderer {
   private uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
   private targets: (Target | null)[] = [null, null, null];
   private block: WebGLBuffer | null = null;
+  private grid: WebGLTexture | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, powerPreference: "low-power" });
@@ -47,6 +49,7 @@ export class Renderer {
     this.programs.clear();
     this.uniforms.clear();
     this.targets = [null, null, null];
+    this.grid = null;
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
@@ -147,7 +150,27 @@ export class Renderer {
       gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.block);
       gl.bufferData(gl.UNIFORM_BUFFER, networkBlock({ ...recipe, toXYZ: lit }), gl.DYNAMIC_DRAW);
       gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Weights"), 0);
+    } else this.tellFields(program, recipe, dark);
+  }
+
+  private tellFields(program: WebGLProgram, fields: Fields, dark: number): void {
+    const { gl } = this;
+    const texels = new Float32Array(ROWS * TURNS * 16);
+    for (let cell = 0; cell < ROWS * TURNS; cell++) {
+      for (let k = 0; k < 4; k++) {
+        for (let c = 0; c < 3; c++) texels[16 * cell + 4 * k + c] = dark * fields.grid[12 * cell + 3 * k + c];
+      }
     }
+    gl.activeTexture(gl.TEXTURE0);
+    if (!this.grid) {
+      this.grid = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, this.grid);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4 * TURNS, ROWS);
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    } else gl.bindTexture(gl.TEXTURE_2D, this.grid);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGBA, gl.FLOAT, texels);
+    gl.uniform1i(this.at(program, "grid"), 0);
+    gl.uniform3f(this.at(program, "seen"), ...fields.seen);
   }
 
   /** Draw one sky, or two side by side, on the canvas. */

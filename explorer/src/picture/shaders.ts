@@ -1,7 +1,8 @@
 /** The shaders: a sky's XYZ toward every pixel, and the picture made of one or two of them. */
 
 import { FORMULA, INPUTS } from "../data/shaders";
-import type { Network, Recipe } from "../skies/sky";
+import { ROWS, TURNS } from "../skies/grid";
+import type { Fields, Law, Network, Recipe } from "../skies/sky";
 import { DOME_SIZE } from "./view";
 
 export const VERTEX = `#version 300 es
@@ -104,8 +105,8 @@ function vectors(names: string[]): string[] {
   return Array.from({ length: padded.length / 4 }, (_, k) => `vec4(${padded.slice(4 * k, 4 * k + 4).join(", ")})`);
 }
 
-/** GLSL of a network's light, its numbers in the block `W`. */
-function networkSky(network: Network): string {
+/** GLSL of a network's light, its numbers in `W`, which `declared` declares. */
+export function networkText(network: Network, spelled: Record<string, string>, declared: string): string {
   const lines: string[] = [];
   let at = 0;
   let names = network.inputs.map((_, k) => `i${k}`);
@@ -128,9 +129,9 @@ function networkSky(network: Network): string {
   });
   const lights = declare("l");
   const xyz = [0, 1, 2].map((r) => lights.map((name, k) => `dot(W[${at + r * lights.length + k}], ${name})`).join(" + "));
-  const inputs = network.inputs.map((name, k) => `float i${k} = ${INPUTS[name]};`);
+  const inputs = network.inputs.map((name, k) => `float i${k} = ${spelled[name]};`);
   return `
-layout(std140) uniform Weights { vec4 W[${networkBlock(network).length / 4}]; };
+${declared}
 vec3 sky_xyz(vec3 d) {
     float east = d.x, north = d.y, up = max(d.z, 0.0);
     vec3 apart = d - sun;
@@ -141,17 +142,56 @@ vec3 sky_xyz(vec3 d) {
 `;
 }
 
+/** GLSL of a phase function of `away`, 1 - cosine. */
+function phaseText(law: Law): string {
+  const n = (value: number): string => `float(${value.toPrecision(9)})`;
+  const lobes = law.lobes.map(([a, b, g]) => `lobe(${n(a)}, ${n(b)}, ${n(g)}, away, squared)`);
+  return [`${n(law.constant)} + ${n(law.square)} * squared`, ...lobes].join(" + ");
+}
+
+/** GLSL of a physical sky: four taps in a table of fields. */
+function fieldsSky(fields: Fields): string {
+  return `
+uniform sampler2D grid;
+uniform vec3 seen;
+float lobe(float a, float b, float g, float away, float squared) {
+    float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
+    return (a + b * squared) / (gap * sqrt(gap));
+}
+vec3 cell(int row, int turn, vec4 shapes) {
+    vec3 light = vec3(0.0);
+    for (int k = 0; k < 4; k++) light += shapes[k] * texelFetch(grid, ivec2(4 * turn + k, row), 0).rgb;
+    return light;
+}
+vec3 sky_xyz(vec3 d) {
+    float up = clamp(d.z, ${fields.leastCosine.toFixed(6)}, 1.0);
+    float row = sqrt(max(0.0, 1.0 - skydome_angle(0.5 * (1.0 - up)) / ${Math.acos(fields.leastCosine).toFixed(9)})) * ${(ROWS - 1).toFixed(1)};
+    float level = d.x * seen.x + d.y * seen.y;
+    float turn = atan(abs(d.x * seen.y - d.y * seen.x), level) / PI * ${(TURNS - 1).toFixed(1)};
+    int i = int(min(floor(row), ${(ROWS - 2).toFixed(1)})), j = int(min(floor(turn), ${(TURNS - 2).toFixed(1)}));
+    float a = row - float(i), b = turn - float(j);
+    vec3 apart = d - seen;
+    float away = 0.5 * dot(apart, apart), squared = (1.0 - away) * (1.0 - away);
+    vec4 shapes = vec4(${fields.laws.map(phaseText).join(", ")}, 1.0);
+    return mix(mix(cell(i, j, shapes), cell(i, j + 1, shapes), b), mix(cell(i + 1, j, shapes), cell(i + 1, j + 1, shapes), b), a);
+}
+`;
+}
+
+const block = (network: Network): string =>
+  `layout(std140) uniform Weights { vec4 W[${networkBlock(network).length / 4}]; };`;
+
 /** Name of the program that a recipe needs: recipes of one name differ by uniforms alone. */
 export function programKey(recipe: Recipe): string {
   if (recipe.kind === "formula") return recipe.hosek ? "hosek" : "formula";
-  if (recipe.kind === "fields") return `fields ${recipe.nodes} ${recipe.terms} ${recipe.shapes}`;
+  if (recipe.kind === "fields") return "fields";
   return `network ${recipe.inputs.join()} ${recipe.layers.map((rows) => rows.length).join()} ${recipe.exponential}`;
 }
 
 /** The fragment shader of a recipe's sky. */
 export function skyShader(recipe: Recipe): string {
-  if (recipe.kind === "network") return HEAD + networkSky(recipe) + SKY_MAIN;
-  if (recipe.kind === "fields") throw new Error("not yet");
+  if (recipe.kind === "network") return HEAD + networkText(recipe, INPUTS, block(recipe)) + SKY_MAIN;
+  if (recipe.kind === "fields") return HEAD + FORMULA + fieldsSky(recipe) + SKY_MAIN;
   const name = recipe.hosek ? "hosek_channel" : "skydome_channel";
   return HEAD + FORMULA + FORMULA_SKY.replace("CHANNEL", name) + SKY_MAIN;
 }

@@ -1,7 +1,7 @@
 /** The sky models of the page by the package's names: what each takes, and how its sky is made. */
 
 import { TABLES } from "../core/tables";
-import { azimuth, direction, halfSquare, limited, times, type Vec3 } from "../core/vector";
+import { azimuth, DEG, direction, halfSquare, limited, times, type Vec3 } from "../core/vector";
 import { levelledCie, levelledClear } from "./cie";
 import { discOf } from "./disc";
 import { hosekLetters } from "./hosek";
@@ -9,6 +9,7 @@ import { channel } from "./light";
 import { skydome_angle } from "../data/formula";
 import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
 import { allWeather } from "./perez";
+import { LOWEST, physicalLight } from "./physical";
 import { preethamLetters } from "./preetham";
 import type { Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
 
@@ -129,6 +130,13 @@ function cieClear(c: Conditions): Sky {
   return withDisc(base("cie-clear", c, formula([letters], GREY), TABLES.albedo.ground, [GREY_NOTE]), c, c.turbidity);
 }
 
+/** The physical sky: its table's fields; in twilight too. */
+function physical(c: Conditions): Sky {
+  const day = c.sun[2] > Math.sin(LOWEST * DEG);
+  const { fields, lux } = physicalLight(c.sun, c.turbidity, c.albedo, c.distance ** -2);
+  return { ...withDisc(base("physical", c, fields, c.albedo), c, 3, lux), day };
+}
+
 const CIE_NAMES = [
   "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",
   "uniform", "partly cloudy, slight sunward", "partly cloudy, brighter sunward", "partly cloudy, distinct corona",
@@ -141,6 +149,8 @@ const clear = { group: "Clear skies", turbidity: HAZE, albedo: true, irradiance:
 const measured = { albedo: false, irradiance: false, lowest: 0.1 };
 
 export const MODELS: Model[] = [
+  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, source:
+    "Single scattering in round shells, networks for the rest", make: physical },
   { ...clear, name: "hosek-wilkie", label: "Hosek-Wilkie", source: "Hosek and Wilkie 2012", make: hosek },
   { ...clear, name: "hosek-wilkie-rgb", label: "Hosek-Wilkie RGB", source: "Hosek and Wilkie 2012", make: hosekRGB },
   { ...clear, name: "preetham", label: "Preetham", source: "Preetham, Shirley and Smits 1999", turbidity: [2, 6],

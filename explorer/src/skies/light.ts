@@ -15,7 +15,7 @@ export function xyzToward(sky: Sky, toward: Vec3): Vec3 {
 
 function recipeLight(recipe: Recipe, sun: Vec3, toward: Vec3): Vec3 {
   if (recipe.kind === "network") return networkLight(recipe, sun, toward);
-  if (recipe.kind === "fields") return fieldsLight(recipe, sun, toward);
+  if (recipe.kind === "fields") return fieldsLight(recipe, toward);
   const half = halfSquare(toward, sun);
   return formulaLight(recipe, Math.max(toward[2], 0), half, skydome_angle(half));
 }

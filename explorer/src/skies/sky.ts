@@ -27,16 +27,21 @@ export interface Network {
   toXYZ: number[][];
 }
 
+/** A phase function: constant + square c^2 + the sum over lobes (a, b, g) of (a + b c^2) / (1 + g^2 - 2 g c)^1.5. */
+export interface Law {
+  constant: number;
+  square: number;
+  lobes: number[][];
+}
+
 export interface Fields {
   kind: "fields";
-  /** Nodes in the view's elevation and terms in the azimuth from the sun. */
-  nodes: number;
-  terms: number;
-  /** (nodes, terms, shapes + 1, 3) as XYZ in cd m-2, the last of higher orders. */
-  series: Float32Array;
-  shapes: number;
-  /** Asymmetry of each shape; the first is molecular. */
-  asymmetries: number[];
+  /** (rows, turns, 4, 3): what each of three constituents scatters once, per phase function, and the rest; XYZ, cd m-2. */
+  grid: Float32Array;
+  /** The sun where it is seen, bent by the air. */
+  seen: Vec3;
+  leastCosine: number;
+  laws: Law[];
 }
 
 export type Recipe = Formula | Network | Fields;

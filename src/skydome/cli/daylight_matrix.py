@@ -54,6 +54,9 @@ FLAGS: dict[str, dict[str, Any]] = {
     "-h": {"header": False},
 }
 VALUES = {"-m": "division", "-5": "disc", "-r": "rotation", "-rz": "rotation", "-i": "minutes"}
+LIMITS = {
+    "-m": (1, 12), "-5": (0, 179), "-r": (-1e6, 1e6), "-rz": (-1e6, 1e6), "-i": (0, 1440), "-c": (0, 1e6), "-g": (0, 1),
+}  # fmt: skip
 COLOURS, FILES = {"-c": "colour", "-g": "ground"}, {"-D": "suns", "-M": "modifiers"}
 
 
@@ -97,8 +100,17 @@ def meaning(word: str, given: list[str]) -> dict[str, Any]:
         return {FILES[word]: given[0]} | (FLAGS["-n"] if word == "-D" and given[0] == "-" else {})
     if not given:
         raise ValueError(USAGE)
-    numbers = tuple(float(number) for number in given)
+    numbers = tuple(number_of(word, number) for number in given)
     return {COLOURS[word]: numbers} if word in COLOURS else {VALUES[word]: numbers[0]}
+
+
+def number_of(option: str, text: str) -> float:
+    """A number that the option may have; ValueError in one line for any other."""
+    low, high = LIMITS[option]
+    number = float(text)
+    if not low <= number <= high:
+        raise ValueError(f"{option} must lie in [{low:g}, {high:g}], got {text}")
+    return number
 
 
 def convert(asked: Asked) -> None:

@@ -90,6 +90,12 @@ def progress(doing: str) -> Iterator[Report]:
         yield report
 
 
+def has_come(library: str) -> bool:
+    """Whether a library has been imported to its end, by whichever thread."""
+    module = sys.modules.get(library)
+    return module is not None and not getattr(module.__spec__, "_initializing", False)
+
+
 @contextmanager
 def compilation_told() -> Iterator[None]:
     """A line on stderr where code is compiled for more than a moment, which comes but once on a machine."""
@@ -98,7 +104,7 @@ def compilation_told() -> Iterator[None]:
     def listen() -> None:
         from skydome.ground.compiled import compiling
 
-        while "numba" not in sys.modules:
+        while not has_come("numba"):
             if over.wait(LISTEN):
                 return
         with compiling() as seconds:

@@ -1,12 +1,13 @@
 """The command `skydome`. Commands import what they need when they run, so that help is quick."""
 
+import math
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from skydome import __version__
 from skydome.cli.commands.convert import convert
@@ -30,6 +31,18 @@ from skydome.cli.learning.fit import fit
 from skydome.cli.learning.simulate import simulate
 from skydome.cli.learning.train import train
 from skydome.cli.options import target_help
+
+
+class FiniteCommand(TyperCommand):
+    """A command whose numbers are finite, whichever options it has."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Look at the numbers, then call it."""
+        for option in self.params:
+            value = ctx.params.get(option.name)
+            if isinstance(value, float) and not math.isfinite(value):
+                raise ValueError(f"{option.opts[0]} must be a finite number, got {value:g}")
+        return super().invoke(ctx)
 
 
 class Commands(TyperGroup):
@@ -90,7 +103,7 @@ for command in (
     train,
     animate,
 ):
-    app.command()(command)
+    app.command(cls=FiniteCommand)(command)
 
 
 def show_version(wanted: bool) -> None:

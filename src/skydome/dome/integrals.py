@@ -75,7 +75,13 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
         xp = namespace(light)
         total = total + light @ xp.astype(xp.matrix_transpose(weights), light.dtype)
     for disc, factor in discs:
-        total = total + disc.illuminance(normals) * factor
+        beam = disc.illuminance(normals)
+        if tuple(beam.shape)[-1:] != (len(normals),):
+            got = tuple(beam.shape)
+            raise ValueError(
+                f"leading shapes must fit, got a sun of {got}; give many suns an axis of 1: sun[:, None, :]"
+            )
+        total = total + beam * factor
     if ground_albedo:
         ground = illuminance(sky, constant(ZENITH, normals))
         total = total + ground[..., None] * (ground_albedo * below_horizon(normals))

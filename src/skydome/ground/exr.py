@@ -1,8 +1,13 @@
 """OpenEXR files with their light's unit, place, time and provenance in the header: one writer, one reader."""
 
+import ctypes
 import math
-from collections.abc import Mapping
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from os import PathLike
+from tempfile import TemporaryFile
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -10,6 +15,7 @@ import numpy as np
 from skydome.ground.arguments import require_file
 from skydome.ground.writing import appearing
 
+ONE_AT_A_TIME = Lock()
 MAGIC = b"\x76\x2f\x31\x01"
 HALF_MAXIMUM = 65504.0
 MAX_BYTES = 1 << 31
@@ -75,15 +81,19 @@ def header(path: str | PathLike[str]) -> dict[str, Any]:
         if file.read(len(MAGIC)) != MAGIC:
             raise ValueError(f"expected an OpenEXR file, got {path}")
     try:
-        return dict(OpenEXR.File(str(path), header_only=True).header())
+        with native_messages():
+            return dict(OpenEXR.File(str(path), header_only=True).header())
     except (RuntimeError, MemoryError, TypeError, ValueError) as error:
         raise damaged(path, error) from error
 
 
 def size(stated: Mapping[str, Any]) -> tuple[int, int]:
     """Rows and columns of the picture whose `header` is given."""
-    low, high = stated["dataWindow"]
-    columns, rows = (int(b) - int(a) + 1 for a, b in zip(low, high, strict=True))
+    try:
+        low, high = stated["dataWindow"]
+        columns, rows = (int(b) - int(a) + 1 for a, b in zip(low, high, strict=True))
+    except (KeyError, TypeError) as error:
+        raise ValueError("an OpenEXR file must say its dataWindow") from error
     return rows, columns
 
 
@@ -100,13 +110,53 @@ def read(
     stated = header(path)
     require_readable(stated, max_bytes, path)
     try:
-        channels = OpenEXR.File(str(path), separate_channels=True).channels()
+        with native_messages() as told:
+            channels = OpenEXR.File(str(path), separate_channels=True).channels()
     except (RuntimeError, MemoryError, TypeError, ValueError) as error:
         raise damaged(path, error) from error
+    if told:  # OpenEXR goes on over chunks that it cannot unpack
+        raise damaged(path, ValueError(told[0].partition(": ")[2] or told[0]))
     pixels = np.stack([np.asarray(channels[name].pixels, dtype=np.float32) for name in "RGB"], axis=-1)
     if finite and not np.all(np.isfinite(pixels)):
         raise ValueError(f"pixels must be finite, got NaN or infinity in {path}")
     return pixels, stated
+
+
+@contextmanager
+def native_messages() -> Iterator[list[str]]:
+    """The lines that OpenEXR itself writes on the process's stdout and stderr meanwhile, kept from both.
+
+    One reading at a time. What others write there in that time is handed on.
+    """
+    lines: list[str] = []
+    with ONE_AT_A_TIME, heard(1, lines), heard(2, lines):
+        yield lines
+
+
+@contextmanager
+def heard(stream: int, lines: list[str]) -> Iterator[None]:
+    """Take OpenEXR's lines out of what goes to a stream of the process (1 or 2)."""
+    flush = getattr(ctypes.CDLL(None) if os.name == "posix" else ctypes, "fflush", lambda _: None)
+    try:
+        flush(None)
+        kept = os.dup(stream)
+    except OSError:  # it is closed
+        yield
+        return
+    with TemporaryFile() as file:
+        os.dup2(file.fileno(), stream)
+        try:
+            yield
+        finally:
+            flush(None)
+            os.dup2(kept, stream)
+            os.close(kept)
+            file.seek(0)
+            for line in file.read().splitlines(keepends=True):
+                if b"EXR_ERR" in line or line.startswith(b"Warning: Exception raised"):
+                    lines.append(line.decode("utf-8", "replace").strip())
+                else:
+                    os.write(stream, line)
 
 
 def damaged(path: str | PathLike[str], error: Exception) -> ValueError:

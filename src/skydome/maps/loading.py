@@ -153,8 +153,9 @@ def space_of(values: Sequence[Any] | None, silent: RGBSpace, name: str, path: st
     """
     if values is None:
         return silent
-    if len(values) != 8:
-        raise ValueError(f"{name} in the header of {Path(path).name} must be eight numbers, got {len(values)}")
+    count = len(values) if isinstance(values, Sequence | np.ndarray) else 0
+    if count != 8:
+        raise ValueError(f"{name} in the header of {Path(path).name} must be eight numbers, got {count}")
     chromaticities = [number_of(value, name, path) for value in values]
     for space in SPACES:
         if np.allclose(space.chromaticities, chromaticities, rtol=0, atol=1e-3):

@@ -70,6 +70,8 @@ class Daylight(DressedSky, SpectralSky):
 
     def __post_init__(self) -> None:
         """Validate only."""
+        if len(self.chromaticity) != 2 or any(np.ndim(value) for value in self.chromaticity):
+            raise ValueError("chromaticity must be two numbers (x, y), as (0.3127, 0.329), got arrays or another count")
         x, y = self.chromaticity
         if not (0 < x < 1 and 0 < y < 1 and x + y <= 1):
             raise ValueError(f"chromaticity must be (x, y) inside the CIE diagram, got {self.chromaticity}")

@@ -65,6 +65,8 @@ def published(form: str) -> np.ndarray:
 def band_weights(wavelengths: Any, bands: np.ndarray = BANDS) -> np.ndarray:
     """Linear interpolation from bands (B,) to wavelengths (W,) nm among them, matrix (B, W); ValueError outside."""
     wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    if not wavelengths.size:
+        raise ValueError("wavelengths must be one or more, got none")
     require("wavelengths", wavelengths, Range(float(bands[0]), float(bands[-1]), "nm"))
     between: np.ndarray = weights(bands, wavelengths).T
     return between

@@ -1,7 +1,6 @@
 """The sky, the first rung of the ladder, whose luminance is known; and sums of skies, clear and overcast, sky and sun.
 
-What a sky can do beside, it declares: `SunlitSky` has a sun, `knows_twilight`, `albedo` of its ground, the `single` sky
-that is behind a multiplied one, and the nine numbers of its luminance or RGB (`luminance_formula`, `rgb_formula`).
+What else a sky can do, it declares: a sun, twilight, albedo, the `single` sky of a multiplied one, its nine numbers.
 """
 
 from abc import ABC, abstractmethod
@@ -14,6 +13,7 @@ import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import WEIGHT, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
 from skydome.skies.validity import Ranged, is_one
@@ -34,8 +34,7 @@ class Sky(Ranged, Shown, ABC):
     """
 
     source: ClassVar[str] = ""
-    knows_twilight: ClassVar[bool] = False
-    """Whether the sky still has light when the sun has set."""
+    knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
@@ -242,9 +241,10 @@ class Combination(Sky):
 
 def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:
     """The weighted sum of skies on the highest rung that all of them know."""
-    for sky in skies:
+    for sky, weight in zip(skies, weights, strict=True):
+        require("a sky's factor", weight, WEIGHT)
         if not isinstance(sky, Sky):
             raise TypeError(f"only skies can be added to a sky, got {type(sky).__name__}")
     kinds = [sky.kind_of_sum() for sky in skies]
-    kind = next(kind for kind in kinds if all(issubclass(other, kind) for other in kinds))
-    return kind(tuple(skies), tuple(weights))
+    highest = next(kind for kind in kinds if all(issubclass(other, kind) for other in kinds))
+    return highest(tuple(skies), tuple(weights))

@@ -154,6 +154,7 @@ def single(
     from skydome.years.skies.series import year as year_of
     from skydome.years.skies.status import counts
     from skydome.years.stores.radiance_files import write_matrix, write_suns
+    from skydome.years.stores.spectral_matrix import write_spectral_matrix
     from skydome.years.stores.stores import write_dataset, write_year
     from skydome.years.weather.reading import read_weather
 
@@ -164,7 +165,10 @@ def single(
         else:
             data = year_of(weather, **choices)
             if output is not None and output.suffix.lower() == ".mtx":
-                write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
+                if "radiance" in data and not sun_in_patch:
+                    write_spectral_matrix(data, output, not ascii_text)
+                else:
+                    write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
             elif output is not None:
                 write_dataset(data, output, overwrite)
         if suns is not None:

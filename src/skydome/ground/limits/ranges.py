@@ -32,6 +32,8 @@ NOT_NEGATIVE = Range(0.0, float("inf"))
 FINITE = Range(-float("inf"), float("inf"))
 LIGHT = Range(0.0, 1e15)
 """cd m-2 or lx: a million times the sun, and far from where numbers end."""
+WEIGHT = Range(-1e12, 1e12)
+"""Of a sky's light in a sum; below 0 for differences of skies."""
 SEED = Range(0, 2**63 - 1)
 
 

@@ -1,0 +1,120 @@
+"""The physical sky in a table small enough for the explorer's page: `python scripts/export_physical.py`.
+
+Under one sun its light is a few smooth fields over half the dome (`HeldSky`): what each constituent scatters once, and
+the rest. Over sun heights, turbidities and grounds these fields are sums of few shapes: each height's span has a basis
+of its own (singular vectors), and a condition is its coefficients and the size of each field. float16 in base64.
+"""
+
+import base64
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import skydome as sd
+from skydome.skies.all_air.sky import NODES, TERMS, PhysicalSky, series_of
+from skydome.skies.catalogue import model_named
+from skydome.skies.physical.cosine_series import LEAST_COSINE
+
+PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "physical.json"
+SPANS = (
+    (np.arange(-17.5, -5.4, 0.75), 32, 22),
+    (np.arange(-6.0, 4.1, 0.5), 34, 22),
+    (np.array([4, 5, 6, 7, 8.5, 10, 12, 14, 17, 20, 24, 28, 33, 38, 44, 50, 56, 62, 68, 74, 80, 85, 89.9]), 18, 18),
+)
+"""Elevations of the sun, degrees, and the number of shapes of light scattered once and of the rest."""
+TURBIDITIES = np.array([1.001, 1.6, 2.4, 3.5, 5.0, 7.2, 10.0])
+ALBEDOS = np.array([0.0, 0.3, 0.65, 1.0])
+TURNS = 17
+LIT = (0, 1, 3)
+"""The constituents that scatter: molecules, aerosol, stratospheric aerosol."""
+
+
+def rest_series(sky: PhysicalSky) -> np.ndarray:
+    """The rest of the light as a series, (nodes, terms, 3)."""
+    turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
+    lit = sky.at(NODES).single()
+    rest = sky.rest.radiance(lit.numbers, np.float32(sky.sun[2]), lambda network: network.at_nodes(turns))
+    series: np.ndarray = series_of(rest[None] @ sky.colours())[:, :, 0]
+    return series
+
+
+def on_turns(series: np.ndarray) -> np.ndarray:
+    """A series (nodes, terms, ...) at azimuths from 0 to 180 degrees, (nodes, TURNS, ...)."""
+    waves = np.cos(np.linspace(0, np.pi, TURNS)[:, None] * np.arange(series.shape[1]))
+    return np.einsum("pm,nm...->np...", waves, series)
+
+
+def fields_of(elevation: float, turbidity: float) -> dict[str, Any]:
+    """Fields of one sun and air: once (nodes, turns, 3, 3), rest (albedos, nodes, turns, 3), lux, the sun as seen.
+
+    The aerosol's are for each turbidity above 1.
+    """
+    model, sun = model_named("physical"), sd.direction(0.0, elevation * sd.deg)
+    made = [model.make(sun, {"turbidity": turbidity, "albedo": albedo}) for albedo in ALBEDOS]
+    held = made[0].held()
+    return {
+        "once": on_turns(held.series[:, :, list(LIT)]) / np.array([1.0, turbidity - 1, 1.0])[:, None],
+        "rest": np.stack([on_turns(rest_series(sky)) for sky in made]),
+        "lux": float(made[0].direct_normal_illuminance),
+        "seen": float(sd.elevation(held.sun)) / sd.deg,
+    }
+
+
+def half(values: np.ndarray) -> dict[str, Any]:
+    """Numbers as float16 in base64, with their shape."""
+    array = np.ascontiguousarray(values, dtype="<f2")
+    return {"shape": list(array.shape), "f2": base64.b64encode(array.tobytes()).decode()}
+
+
+def compressed(rows: np.ndarray, count: int) -> dict[str, Any]:
+    """Rows (..., shape) of fields >= 0 as log sizes, coefficients and a basis of `count` shapes."""
+    size = np.maximum(np.abs(rows).max(axis=-1, keepdims=True), 1e-12)
+    flat = (rows / size).reshape(-1, rows.shape[-1])
+    left, values, right = np.linalg.svd(flat, full_matrices=False)
+    scale = np.abs(right[:count]).max(axis=1)
+    coefficients = (left[:, :count] * values[:count] * scale).reshape(*rows.shape[:-1], count)
+    return {
+        "size": half(np.log(size[..., 0])),
+        "coefficients": half(coefficients),
+        "basis": half(right[:count] / scale[:, None]),
+    }
+
+
+def span(elevations: np.ndarray, once: int, rest: int) -> dict[str, Any]:
+    """The table of a span of the sun's elevations."""
+    found = [[fields_of(e, t) for t in TURBIDITIES] for e in elevations]
+    pick = {name: np.array([[f[name] for f in row] for row in found]) for name in ("once", "rest", "lux", "seen")}
+    shapes = np.moveaxis(pick["once"], (2, 3), (-2, -1)).reshape(*pick["once"].shape[:2], 3, 3, -1)
+    rests = np.moveaxis(pick["rest"], (3, 4), (-2, -1)).reshape(*pick["rest"].shape[:3], 3, -1)
+    return {
+        "elevations": elevations.round(6).tolist(),
+        "seen": pick["seen"][:, 0].round(5).tolist(),
+        "lux": np.log(np.maximum(pick["lux"], 1e-6)).round(5).tolist(),
+        "once": compressed(shapes, once),
+        "rest": compressed(rests, rest),
+    }
+
+
+def table() -> dict[str, Any]:
+    """Everything."""
+    sky = model_named("physical").make(sd.direction(0.0, 0.5), {})
+    laws = [sky.laws[k].closed for k in LIT]
+    return {
+        "turbidities": TURBIDITIES.tolist(),
+        "albedos": ALBEDOS.tolist(),
+        "nodes": 32,
+        "turns": TURNS,
+        "leastCosine": LEAST_COSINE,
+        "laws": [
+            {"constant": law.constant, "square": law.square, "lobes": [list(x) for x in law.lobes]} for law in laws
+        ],
+        "spans": [span(*entry) for entry in SPANS],
+    }
+
+
+if __name__ == "__main__":
+    PATH.write_text(json.dumps(table(), separators=(",", ":")) + "\n", "utf-8")
+    sys.exit(0)
