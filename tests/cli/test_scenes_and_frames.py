@@ -54,7 +54,7 @@ def test_an_exposure_in_ev(call, refused, tmp_path):
         (("-o", "a.exr", "--scene", "a.usda", "--target", "three"), "needs --target usd"),
         (("-o", "a.exr", "--scene", "a.usda", "--no-sun"), "no --no-sun"),
         (("-o", "it's.exr", "--scene", "a.usda"), "in its name"),
-        (("-o", "a.exr", "--north", "nan"), "--north must lie"),
+        (("-o", "a.exr", "--north", 400), "--north must lie"),
         (("-o", "a.exr", "--step", "10min"), "needs --place, --time"),
         (("-o", "a.exr", "--step", "10", "--until", "2026-06-21T16:00+02:00"), "such as 10min"),
         (("-o", "a.exr", "--step", "1h", "--until", "2026-06-21T14:00+02:00"), "at or after"),
