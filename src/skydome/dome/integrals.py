@@ -11,6 +11,7 @@ from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -50,6 +51,7 @@ def own_array(value: Any) -> Any:
     return floating(value) if is_array(value) and not isinstance(value, np.generic | Constant) else None
 
 
+@outer_labels("lx")
 def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:
     """Illuminance on planes with unit normals (..., 3), lx; light from below the horizon only with `ground_albedo`.
 
@@ -100,6 +102,7 @@ def below_horizon(normals: Array) -> Array:
     return (1 - normals[..., 2]) / 2
 
 
+@outer_labels("W m-2 nm-1")
 def irradiance(sky: Sky, wavelengths: Any, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:
     """Spectral irradiance on planes with unit normals (..., 3) at `wavelengths` (W,) nm, W m-2 nm-1, shape (..., W).
 

@@ -6,12 +6,15 @@ from numpy.typing import ArrayLike
 from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.dome.patches import Patches, patches
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
+from skydome.ground.labels import Axis
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 
 FINEST_GRID = 64
 DIRECTIONS_AT_ONCE = 1 << 18
 
 
+@outer_labels("cd m-2", (Axis("patch", None, 0),))
 def patch_means(sky: Sky, division: "str | Patches" = "tregenza", tolerance: float = 1e-4) -> Array:
     """Mean luminance of every patch, cd m-2, shape (..., N), the sky's leading axes first; its discs are left out.
 

@@ -59,15 +59,23 @@ def without_class(value: Any) -> Any:
 
 def is_numpy(value: object) -> bool:
     """True for what NumPy can hold without another library: arrays, numbers, lists; and arrays with labels."""
-    return value is None or isinstance(value, HELD_BY_NUMPY) or is_labelled(value)
+    return value is None or isinstance(value, HELD_BY_NUMPY) or is_labelled(value) or is_of(value, "pandas", "Index")
 
 
 def is_labelled(value: object) -> bool:
-    """True for a Series, DataFrame or Index of pandas, or a DataArray of xarray."""
-    pandas, xarray = sys.modules.get("pandas"), sys.modules.get("xarray")
-    if pandas is not None and isinstance(value, pandas.Series | pandas.DataFrame | pandas.Index):
-        return True
-    return xarray is not None and isinstance(value, xarray.DataArray)
+    """True for a Series or DataFrame of pandas, or a DataArray of xarray: an array with labels along its axes."""
+    return is_of(value, "pandas", "Series", "DataFrame") or is_data_array(value)
+
+
+def is_data_array(value: object) -> bool:
+    """True for a DataArray of xarray."""
+    return is_of(value, "xarray", "DataArray")
+
+
+def is_of(value: object, library: str, *kinds: str) -> bool:
+    """True for an instance of one of a library's classes, by name; the library is not imported for that."""
+    module = sys.modules.get(library)
+    return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
 
 
 def namespace(*values: Any) -> Any:

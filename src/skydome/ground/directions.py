@@ -17,6 +17,7 @@ from skydome.ground.arrays import (
     namespace,
     safe_sqrt,
 )
+from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg
 
 ZENITH: np.ndarray = Constant.of([0.0, 0.0, 1.0])
@@ -38,6 +39,7 @@ ROUNDED = 1e-6
 """How far an angle may lie beyond its limit: by rounding, in float32 too."""
 
 
+@keeps_labels(last=(COMPONENTS,), azimuth=0, elevation=0)
 def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     """Unit vectors toward azimuth (clockwise from north) and elevation, radians; shape (..., 3).
 
@@ -101,6 +103,7 @@ def checked_turn(angle: ArrayLike, name: str) -> Array:
     return angle
 
 
+@keeps_labels("rad", directions=1)
 def azimuth(directions: Array) -> Array:
     """Azimuth of each direction, radians clockwise from north in [0, 2 pi), shape (...,); 0 at zenith and nadir.
 
@@ -115,6 +118,7 @@ def azimuth(directions: Array) -> Array:
     return xp.where(turned >= turn, xp.zeros_like(turned), turned)
 
 
+@keeps_labels("rad", directions=1)
 def elevation(directions: Array) -> Array:
     """Elevation above the horizon, radians in [-pi/2, pi/2], shape (...,); exact near the zenith too.
 
@@ -126,6 +130,7 @@ def elevation(directions: Array) -> Array:
     return xp.atan2(v[..., 2], safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2))
 
 
+@keeps_labels("rad", directions=1)
 def zenith_angle(directions: Array) -> Array:
     """Angle from the zenith, radians in [0, pi], shape (...,)."""
     xp = namespace(directions)
@@ -140,6 +145,7 @@ def half_chord_squared(a: Array, b: Array) -> Array:
     return xp.sum(difference * difference, axis=-1) / 4
 
 
+@keeps_labels("rad", a=1, b=1)
 def angle_between(a: Array, b: Array) -> Array:
     """Angle between unit vectors by the haversine form, radians, shape (...,).
 
@@ -196,6 +202,7 @@ def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_differen
     return xp.atan2(across, sin_a * sin_b + cos_a * cos_b * cos_d)
 
 
+@keeps_labels(last=(COMPONENTS,), vectors=1)
 def unit(vectors: Array) -> Array:
     """Vectors (..., 3) scaled to length 1; ValueError where one has length 0.
 

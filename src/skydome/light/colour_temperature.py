@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import as_numpy
+from skydome.ground.labels import keeps_labels
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 
 PLANCK = 6.62607015e-34
@@ -97,6 +98,7 @@ def _nearest(uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return mired, np.where(above, 1.0, -1.0) * np.linalg.norm(offset, axis=-1)
 
 
+@keeps_labels("K", xyz=1)
 def colour_temperature(xyz: ArrayLike) -> np.ndarray:
     """Correlated colour temperature of XYZ (..., 3), K, shape (...,).
 
@@ -116,6 +118,7 @@ def colour_temperature(xyz: ArrayLike) -> np.ndarray:
     return result
 
 
+@keeps_labels(xyz=1)
 def duv(xyz: ArrayLike) -> np.ndarray:
     """Distance of XYZ (..., 3) from the Planckian locus in CIE 1960 u, v, shape (...,); positive above it (greenish).
 

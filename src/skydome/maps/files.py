@@ -10,9 +10,9 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from skydome.ground import exr, hdr, png
-from skydome.ground.tone import Curve
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.gamut import within_gamut
+from skydome.light.tone import Curve
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
 from skydome.maps.preview import preview
