@@ -89,8 +89,8 @@ def centred(spot: Spot, wanted: np.ndarray, projection: Projection, angles: np.n
     weights = np.array([1.0, 1.0, 1.0 / wanted[2]])  # the height's relative error counts
     part: dict[Step, float] = {}
     left = float(np.linalg.norm((start - wanted) * weights))
-    for steps, pairs in ((STEPS, STEP_PAIRS), (OBLIQUE, OBLIQUE_PAIRS)):
-        if left < NEAR:
+    for steps, pairs, enough in ((STEPS, STEP_PAIRS, 0.0), (OBLIQUE, OBLIQUE_PAIRS, NEAR)):
+        if left <= enough:
             break
         for step in steps:
             if (there := shifted(spot, step, projection, len(angles))) is not None:
