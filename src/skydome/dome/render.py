@@ -8,7 +8,8 @@ from skydome.dome.ground_light import ground_rgb
 from skydome.dome.integrals import colourless, discs_and_rest, own_array
 from skydome.dome.painting import paint_rows
 from skydome.dome.sun_on_map import add_disc
-from skydome.ground.arrays import as_numpy, constant, is_array, is_labelled, is_numpy
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import as_numpy, brief, constant, is_array, is_labelled, is_numpy
 from skydome.ground.directions import ZENITH
 from skydome.ground.limits.sizes import require_memory
 from skydome.light.colour import SRGB, RGBSpace
@@ -53,12 +54,16 @@ def render(
     (64, 128, 3)
     """
     projection = Equirectangular() if projection is None else projection
+    require_kind(projection, Projection, "projection", "Equirectangular()")
+    require_kind({} if metadata is None else metadata, dict, "metadata", '{"title": "noon"}')
+    require_kind(space, RGBSpace, "space", "SRGB")
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
     shown = in_numpy(sky)
     require_one_condition(shown)
     discs, rest = discs_and_rest(shown)
     rows, columns = projection.shape(height)
+    require_dtype(dtype)
     require_memory(rows * columns * TEXEL_IN_WORK, f"a map of {rows} x {columns} texels")
     pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
     if not isinstance(projection, Equirectangular):
@@ -69,6 +74,16 @@ def render(
         add_disc(pixels, sun, float(factor), projection, height, space)
     provenance = {"model": shown.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
+
+
+def require_dtype(dtype: Any) -> None:
+    """TypeError unless pixels can be of that type."""
+    try:
+        known = np.dtype(dtype) in (np.float32, np.float64)
+    except TypeError:
+        known = False
+    if not known:
+        raise TypeError(f"dtype must be float32 or float64, as numpy.float32, got {brief(dtype)}")
 
 
 def require_one_condition(sky: Sky) -> None:

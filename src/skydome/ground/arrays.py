@@ -7,6 +7,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+expected = "expected an array or a number, got {}"
 type_error = "arrays of different libraries cannot be mixed, got {}; convert them to one library first"
 
 WITHOUT_DTYPE = (int, float, np.generic, list, tuple)
@@ -100,7 +101,7 @@ def namespace(*values: Any) -> Any:
 
     for value in foreign:
         if not array_api_compat.is_array_api_obj(value):
-            raise TypeError(f"expected an array or a number, got {type(value).__name__} {str(value)[:40]!r}")
+            raise TypeError(expected.format(brief(value)))
     libraries = sorted({type(value).__module__.split(".")[0] for value in foreign + own})
     try:
         return array_api_compat.array_namespace(*foreign, *own)
@@ -137,22 +138,53 @@ def floating(value: Any, like: object = None) -> Array:
 
     Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
     """
-    if value is None:
-        raise TypeError("expected an array or a number, got None")
     if is_array(like) and is_number(value):
         return constant(value, like)
     if is_numpy(value):
-        array = np.asarray(value)
-        return array if array.dtype.kind == "f" else array.astype(np.float64)
+        return floats(value)
     xp = namespace(value)
     return value if xp.isdtype(value.dtype, "real floating") else xp.astype(value, xp.asarray(1.0).dtype)
+
+
+def floats(value: Any) -> np.ndarray:
+    """Numbers as NumPy holds them, floating ones untouched, others float64; TypeError for words, dates and the like.
+
+    >>> floats(["red"])
+    Traceback (most recent call last):
+    TypeError: expected an array or a number, got list ['red']
+    """
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind == "f":
+            return array
+        if array.dtype.kind in "iubO" and value is not None:
+            return array.astype(np.float64)
+    except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
+        pass
+    raise TypeError(expected.format(brief(value)))
+
+
+def with_last_axis(value: Any, length: int, name: str, like: object = None) -> Array:
+    """The value as a floating array (..., length); ValueError by its name for another shape."""
+    array = floating(value, like)
+    if array.ndim == 0 or array.shape[-1] != length:
+        raise ValueError(f"{name} must have shape (..., {length}), got {tuple(array.shape)}")
+    return array
+
+
+def brief(value: object, typed: bool = True) -> str:
+    """A value in a few words of one line for a message: its type, if `typed`, and its beginning."""
+    if value is None:
+        return "None"
+    shown = " ".join(repr(value).split())
+    return f"{f'{type(value).__name__} ' if typed else ''}{shown if len(shown) <= 60 else f'{shown[:57]}...'}"
 
 
 def constant(table: Any, like: Array) -> Array:
     """A number, list or NumPy table as an array of the library, dtype and device of `like`."""
     if is_numpy(like):
         dtype = np.asarray(like).dtype
-        return np.asarray(table, dtype=dtype if dtype.kind == "f" else np.float64)
+        return floats(table).astype(dtype if dtype.kind == "f" else np.float64, copy=False)
     xp = namespace(like)
     if xp.__name__.endswith("torch"):
         return xp.asarray(np.array(table), dtype=like.dtype, device=like.device)

@@ -16,6 +16,7 @@ from skydome.ground.arrays import (
     limited,
     namespace,
     safe_sqrt,
+    with_last_axis,
 )
 from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg
@@ -111,7 +112,7 @@ def azimuth(directions: Array) -> Array:
     1.5
     """
     xp = namespace(directions)
-    v = floating(directions)
+    v = with_last_axis(directions, 3, "directions")
     angle = xp.atan2(v[..., 0], v[..., 1])
     turn = 2 * np.pi
     turned = xp.where(angle < 0, angle + turn, angle)
@@ -126,7 +127,7 @@ def elevation(directions: Array) -> Array:
     (0.0, 0.5)
     """
     xp = namespace(directions)
-    v = floating(directions)
+    v = with_last_axis(directions, 3, "directions")
     return xp.atan2(v[..., 2], safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2))
 
 
@@ -156,7 +157,7 @@ def angle_between(a: Array, b: Array) -> Array:
     0.5
     """
     xp = namespace(a, b)
-    hav = limited(half_chord_squared(floating(a, like=b), floating(b, like=a)), 0.0, 1.0)
+    hav = limited(half_chord_squared(with_last_axis(a, 3, "a", b), with_last_axis(b, 3, "b", a)), 0.0, 1.0)
     return 2 * xp.atan2(safe_sqrt(hav), safe_sqrt(1 - hav))
 
 
@@ -210,7 +211,7 @@ def unit(vectors: Array) -> Array:
     [0.0, 0.6, 0.8]
     """
     xp = namespace(vectors)
-    v = floating(vectors)
+    v = with_last_axis(vectors, 3, "vectors")
     length = xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))
     if is_concrete(length) and bool(xp.any(length == 0)):
         raise ValueError("a direction must not have length 0, got (0, 0, 0)")

@@ -247,4 +247,5 @@ def aerial_perspective(
     >>> bool(red > green > blue)
     True
     """
-    return AirLight(sky, wavelengths, turbidity, ground_albedo, method or FewNodes()).at(distance, direction, height)
+    method = FewNodes() if method is None else method
+    return AirLight(sky, wavelengths, turbidity, ground_albedo, method).at(distance, direction, height)

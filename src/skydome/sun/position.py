@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.labels import COMPONENTS, keeps_labels
@@ -44,6 +45,7 @@ def sun_direction(
     [-0.3472, -0.3204, 0.8814]
     """
     Place.required(place)
+    require_kind(refraction, bool, "refraction", "True")
     toward = topocentric(place, checked_years(instants(time)))
     if refraction:
         return _as_seen(toward, standard_pressure(place.altitude) if pressure is None else pressure, temperature)

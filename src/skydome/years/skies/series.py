@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from skydome.dome.patches import Patches
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.arguments import require_word
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.limits.sizes import require_memory
@@ -72,8 +73,7 @@ def year(
     True
     """
     required("xarray", "year", "a year of skies")
-    if compat not in COMPATS:
-        raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
+    require_word(compat, COMPATS, "compat")
     if isinstance(weather, Weather):
         weather = weather if label is None else weather.labelled(label)
         track = track or SunTrack.over(weather.start[0], weather.end[-1])
