@@ -19,7 +19,7 @@ KINDS = {
     "angles": (lambda: sd.sun_angles(PAIR, TIME), "place must be of kind Place"),
     "events": (lambda: sd.sun_events(PAIR, "2026-06-21"), "place must be of kind Place"),
     "printed sun": (lambda: sd.preetham_sun_direction(PAIR, TIME), "place must be of kind Place"),
-    "no sky": (lambda: sd.illuminance(None), "sky must be of kind Sky, as Preetham.*got NoneType None"),
+    "no sky": (lambda: sd.illuminance(None), "sky must be of kind Sky, as Preetham.*got None"),
     "skies": (lambda: sd.illuminance((SKY, SKY)), "sky must be of kind Sky, .*got tuple"),
     "no map": (lambda: sd.render("hosek-wilkie"), "sky must be of kind Sky, .*got str"),
     "street": (lambda: sd.obstructed_illuminance(SKY, (0, 0)), "surroundings must be of kind Surroundings.*got tuple"),

@@ -64,6 +64,7 @@ def render(
     discs, rest = discs_and_rest(shown)
     rows, columns = projection.shape(height)
     require_dtype(dtype)
+    require_kind(disc, bool, "disc", "False")
     require_memory(rows * columns * TEXEL_IN_WORK, f"a map of {rows} x {columns} texels")
     pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
     if not isinstance(projection, Equirectangular):

@@ -103,6 +103,8 @@ class Eye(Bounded):
         require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
         require_view_of_glare(view)
         require_kind(sources, list | None, "sources", "[BrightSource(...)]")
+        for source in sources or ():
+            require_kind(source, BrightSource, "each source", "BrightSource(...)")
         if sources is None:
             environment, sources = without_sources(environment)
         scene = view.seen(environment)

@@ -134,14 +134,8 @@ class Camera(Frame):
     east: float = 0.0
     north: float = 0.0
     above_ground: float = 2.0
-    bounds: ClassVar = {
-        "field_of_view": FINITE,
-        "width": SIDE,
-        "height": SIDE,
-        "east": FINITE,
-        "north": FINITE,
-        "above_ground": Range(1e-6, 1e5, "m"),
-    }
+    bounds: ClassVar = dict.fromkeys(("width", "height"), SIDE) | {"above_ground": Range(1e-6, 1e5, "m")}
+    bounds |= dict.fromkeys(("field_of_view", "east", "north"), FINITE)
 
     def __post_init__(self) -> None:
         """Validate only."""

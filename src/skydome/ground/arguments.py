@@ -4,12 +4,12 @@ from collections.abc import Iterable
 from os import PathLike
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import brief, floats
+from skydome.ground.arrays import Array, brief, floating, floats
 
 Kind = type | UnionType
 """A class, or several: `Spectrum | None`."""
@@ -46,6 +46,14 @@ def numbers(value: ArrayLike, name: str) -> np.ndarray:
         return np.array(floats(value), dtype=np.float64)
     except TypeError:
         raise TypeError(f"{name} must be numbers, got {brief(value)}") from None
+
+
+def with_last_axis(value: Any, length: int, name: str, like: object = None) -> Array:
+    """The value as a floating array (..., length); ValueError by its name for another shape."""
+    array = floating(value, like)
+    if array.ndim == 0 or array.shape[-1] != length:
+        raise ValueError(f"{name} must have shape (..., {length}), got {tuple(array.shape)}")
+    return array
 
 
 def require_word(value: object, words: Iterable[str], name: str) -> str:

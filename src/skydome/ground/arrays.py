@@ -10,6 +10,14 @@ import numpy as np
 expected = "expected an array or a number, got {}"
 type_error = "arrays of different libraries cannot be mixed, got {}; convert them to one library first"
 
+
+def brief(value: object, typed: bool = True) -> str:
+    """A value in a few words of one line for a message: its type, if `typed`, and its beginning."""
+    shown = " ".join(repr(value).split())
+    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
+    return f"{type(value).__name__} {shown}" if typed and value is not None else shown
+
+
 WITHOUT_DTYPE = (int, float, np.generic, list, tuple)
 """Types of bare numbers; a tuple, as torch.compile does not read unions of types."""
 
@@ -162,22 +170,6 @@ def floats(value: Any) -> np.ndarray:
     except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
         pass
     raise TypeError(expected.format(brief(value)))
-
-
-def with_last_axis(value: Any, length: int, name: str, like: object = None) -> Array:
-    """The value as a floating array (..., length); ValueError by its name for another shape."""
-    array = floating(value, like)
-    if array.ndim == 0 or array.shape[-1] != length:
-        raise ValueError(f"{name} must have shape (..., {length}), got {tuple(array.shape)}")
-    return array
-
-
-def brief(value: object, typed: bool = True) -> str:
-    """A value in a few words of one line for a message: its type, if `typed`, and its beginning."""
-    if value is None:
-        return "None"
-    shown = " ".join(repr(value).split())
-    return f"{f'{type(value).__name__} ' if typed else ''}{shown if len(shown) <= 60 else f'{shown[:57]}...'}"
 
 
 def constant(table: Any, like: Array) -> Array:

@@ -5,6 +5,7 @@ from warnings import warn
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import with_last_axis
 from skydome.ground.arrays import (
     Array,
     Constant,
@@ -16,7 +17,6 @@ from skydome.ground.arrays import (
     limited,
     namespace,
     safe_sqrt,
-    with_last_axis,
 )
 from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arguments import numbers
-from skydome.ground.arrays import as_numpy, with_last_axis
+from skydome.ground.arguments import numbers, with_last_axis
+from skydome.ground.arrays import as_numpy
 from skydome.ground.labels import keeps_labels
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 

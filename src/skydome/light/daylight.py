@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import with_last_axis
 from skydome.ground.arrays import (
     Array,
     at_least,
@@ -12,7 +13,6 @@ from skydome.ground.arrays import (
     namespace,
     safe_divide,
     settled,
-    with_last_axis,
 )
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
