@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arguments import require_kind
-from skydome.ground.directions import checked_elevation, checked_turn, direction, in_degrees
+from skydome.ground.directions import checked_elevation, checked_turn, direction
 from skydome.ground.extras import required
 from skydome.ground.limits.ranges import FINITE, Bounded, Range
 from skydome.ground.limits.sizes import require_memory
-from skydome.ground.units import deg
+from skydome.ground.units import deg, in_degrees
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import texel_centre

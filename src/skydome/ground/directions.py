@@ -19,7 +19,7 @@ from skydome.ground.arrays import (
     safe_sqrt,
 )
 from skydome.ground.labels import COMPONENTS, keeps_labels
-from skydome.ground.units import deg
+from skydome.ground.units import in_degrees
 
 ZENITH: np.ndarray = Constant.of([0.0, 0.0, 1.0])
 """Straight up, (0, 0, 1)."""
@@ -58,16 +58,6 @@ def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     level = xp.cos(elevation)
     parts = xp.broadcast_arrays(xp.sin(azimuth) * level, xp.cos(azimuth) * level, xp.sin(elevation))
     return xp.stack(list(parts), axis=-1)
-
-
-def in_degrees(angle: float) -> str:
-    """An angle, radians, in degrees for a message; with a hint where degrees were meant, as is likely beyond pi.
-
-    >>> in_degrees(1.6), in_degrees(45)
-    ('91.6732', '2578.31 (45 radians; degrees are written 45 * deg)')
-    """
-    hint = f" ({angle:g} radians; degrees are written {angle:g} * deg)" if abs(angle) > np.pi else ""
-    return f"{angle / deg:g}{hint}"
 
 
 def checked_elevation(angle: ArrayLike, name: str) -> Array:

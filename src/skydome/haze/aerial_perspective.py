@@ -11,7 +11,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
-from skydome.ground.limits.ranges import SHARE, Bounded
+from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
@@ -66,7 +66,7 @@ class AirLight(Bounded):
     ground_albedo: float = 0.0
     method: Integration = field(default_factory=FewNodes)
     meets_horizon: bool = False
-    bounds: ClassVar = {"ground_albedo": SHARE}
+    bounds: ClassVar = {"ground_albedo": SHARE, "turbidity": FINITE, "wavelengths": NOT_NEGATIVE}
     kinds: ClassVar = {"method": (Integration, "FewNodes()")}
 
     def __post_init__(self) -> None:

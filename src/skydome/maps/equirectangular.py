@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.directions import checked_turn
-from skydome.ground.limits.ranges import FINITE, Bounded
+from skydome.ground.limits.ranges import FINITE, Bounded, Range
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
 
@@ -121,10 +121,7 @@ class EquirectangularOfWidth(LatitudeLongitude):
     """
 
     width: int = field(kw_only=True)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        checked_height(self.width, 1, 1, "a row of texels")
+    bounds: ClassVar = {"width": Range(1, 1 << 24, "texels")}
 
     def shape(self, height: int) -> tuple[int, int]:
         """Rows and columns (height, width)."""

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from skydome.ground.arguments import numbers, require_file
 from skydome.ground.arrays import Array
-from skydome.ground.directions import azimuth, checked_turn, elevation, in_degrees
-from skydome.ground.units import EARTH_RADIUS
+from skydome.ground.directions import azimuth, checked_turn, elevation
+from skydome.ground.units import EARTH_RADIUS, in_degrees
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
 
 HILLS = 0
