@@ -61,11 +61,13 @@ def require_word(value: object, words: Iterable[str], name: str) -> str:
 
     >>> require_word("green", ["red", "blue"], "colour")
     Traceback (most recent call last):
-    ValueError: colour must be one of red, blue, got str 'green'
+    ValueError: colour must be one of red, blue, got 'green'
     """
     allowed = list(words)
     if not isinstance(value, str) or value not in allowed:
-        raise ValueError(f"{name} must be one of {', '.join(allowed)}, got {brief(value)}")
+        raise ValueError(
+            f"{name} must be one of {', '.join(allowed)}, got {brief(value, typed=not isinstance(value, str))}"
+        )
     return value
 
 

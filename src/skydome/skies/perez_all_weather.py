@@ -81,8 +81,6 @@ class PerezAllWeather(LuminanceFormulaSky):
         """ValueError for two levels, or for limits that nobody has."""
         require_word(self.compat, get_args(Compat), "compat")
         require_kind(self.smooth, bool, "smooth", "True")
-        if self.compat not in ("paper", "gendaylit"):
-            raise ValueError(f'compat must be "paper" or "gendaylit", got {self.compat!r}')
         if self.zenith_luminance is not None or self.illuminance is not None:
             require_one_level("PerezAllWeather", self.zenith_luminance, self.illuminance)
 
