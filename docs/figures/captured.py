@@ -8,7 +8,7 @@ import skydome as sd
 from skydome.captures.animation import Animation
 from skydome.captures.capture_training import train_captures
 from skydome.captures.captures import Capture
-from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
+from skydome.light.tone import Filmic, auto_exposure, tone_mapped
 
 PLACE = sd.Place(45.07, 7.69, 240)
 HEIGHT, COUNT = 128, 8

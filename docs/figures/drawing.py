@@ -6,8 +6,8 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 import skydome as sd
-from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import encode_srgb
+from skydome.light.tone import Filmic, auto_exposure, tone_mapped
 
 FIGURES = Path(__file__).parent
 PAGES = FIGURES.parent

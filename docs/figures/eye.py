@@ -24,8 +24,8 @@ from skydome.eye.point_spread import (
     stiles_holladay,
 )
 from skydome.eye.streaks import Needles
-from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import encode_srgb
+from skydome.light.tone import Filmic, auto_exposure, tone_mapped
 
 HERE = Path(__file__).parent
 PANEL = 480

@@ -5,8 +5,8 @@ from drawing import canvas, common_exposure, disc_picture, dome_light, font, kee
 from PIL import Image
 
 import skydome as sd
-from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
 from skydome.light.spectrum import xyz_weights
+from skydome.light.tone import Filmic, auto_exposure, tone_mapped
 from skydome.skies.colour_sky import SpectralSky
 
 deg = sd.deg

@@ -7,8 +7,8 @@ from PIL import Image
 
 import skydome as sd
 from skydome import SRGB, deg
-from skydome.ground.tone import Filmic, tone_mapped
 from skydome.light.colour import encode_srgb
+from skydome.light.tone import Filmic, tone_mapped
 
 HEIGHT, WIDTH = 96, 384
 ELEVATIONS = range(20, -17, -2)

@@ -99,7 +99,7 @@ def test_brunetons_air_has_his_depths():
     [
         (lambda: Atmosphere.standard(aerosol_depth=-0.1), "optical_depth must lie in .* got -0.1"),
         (lambda: Atmosphere.standard(albedo=1.2), r"albedo must lie in \[0, 1\], got 1.2"),
-        (lambda: Atmosphere.standard(asymmetry=1.0), r"asymmetry must lie in \(-1, 1\), got 1.0"),
+        (lambda: Atmosphere.standard(asymmetry=1.0), "asymmetry must lie in .-0.999999, 0.999999., got 1"),
         (lambda: Atmosphere.standard(aerosol_albedo=1.5), r"albedo must lie in \[0, 1\], got 1.5"),
         (lambda: CornetteShanks(-1.0), r"asymmetry must lie in \(-1, 1\), got -1"),
         (lambda: HenyeyGreenstein((0.5,), (-1.0,)), "weights must not be negative"),

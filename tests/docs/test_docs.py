@@ -145,7 +145,7 @@ def test_numbers_of_a_table():
 def test_previews_keep_the_hue_of_a_blue_sky(elevation, turbidity, monkeypatch):
     """Less than half a degree of OKLab hue for blues, 7 for a sunset's oranges, which fade to white."""
     import skydome as sd
-    from skydome.ground.tone import Filmic, tone_mapped
+    from skydome.light.tone import Filmic, tone_mapped
 
     drawing, oklab_hue = figure_module("drawing", monkeypatch), figure_module("hosek_wilkie", monkeypatch).oklab_hue
     light, valid = drawing.dome_light(sd.HosekWilkie(drawing.sky_toward(elevation), turbidity), 96)

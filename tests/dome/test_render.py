@@ -43,7 +43,9 @@ def test_disc_keeps_its_direct_normal_illuminance(place, height):
 def test_disc_energy_wherever_the_sun_falls(azimuth, elevation, height):
     sun = sd.direction(azimuth * sd.deg, elevation * sd.deg)
     lit, disc = disc_alone(sun, height)
-    assert float(lit.illuminance(sun)) == pytest.approx(float(disc.illuminance(sun)), rel=1e-3)
+    assert float(lit.illuminance(sun)) == pytest.approx(
+        float(disc.illuminance(sun)), rel=2e-3
+    )  # low suns lie on two rows of a coarse map
 
 
 @pytest.mark.parametrize("projection", [sd.EqualAreaSquare(), sd.CubeMap(), sd.Fisheye()])

@@ -25,11 +25,25 @@ def test_horizontal_light_at_every_height(place, height):
     assert lit.pixels.max() > 0
 
 
-@pytest.mark.parametrize(("projection", "height"), [(sd.EqualAreaSquare(), 96), (sd.CubeMap(), 192)], ids=str)
+LAYOUTS = [(sd.EqualAreaSquare(), 96), (sd.EqualAreaSquare(), 32), (sd.CubeMap(), 192), (sd.CubeMap(), 96),
+           (sd.CubeMap(), 48), (sd.Fisheye(), 128), (sd.Fisheye(), 32)]  # fmt: skip
+
+
+@pytest.mark.parametrize(("projection", "height"), LAYOUTS, ids=str)
 @pytest.mark.parametrize("place", PLACES, ids=str)
-def test_horizontal_light_in_layouts_of_the_sphere(place, projection, height):
+def test_horizontal_light_in_other_layouts(place, projection, height):
+    """Before, at 0.4 degrees: 2 times its light on a square of 32 rows, up to 20 times on a fisheye."""
     lit, disc = alone(*place, height, projection)
     assert float(lit.illuminance()) == pytest.approx(float(disc.illuminance(sd.ZENITH)), rel=5e-3)
+
+
+@pytest.mark.parametrize(("projection", "height"), LAYOUTS[:5], ids=str)
+def test_its_energy_in_layouts_of_the_sphere(projection, height):
+    """Exact but at the zenith of coarse faces, whose texels look aside; 1.7 % there, at eight texels a face."""
+    for place in PLACES[:-2]:
+        lit, disc = alone(*place, height, projection)
+        flux = float((lit.luminance() * lit.projection.solid_angles(height)).sum())
+        assert flux == pytest.approx(float(disc.illuminance(disc.sun)), rel=0.02 if height == 48 else 3e-3), place
 
 
 @pytest.mark.parametrize("height", [32, 64, 128, 512])

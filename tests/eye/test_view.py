@@ -56,9 +56,9 @@ def test_quick_look_up_is_the_map_s_own():
         ((0.0, 0.0, 171 * deg), "field of view"),
         ((0.0, 91 * deg), r"elevation of a view must lie in \[-90, 90\] degrees, got 91"),
         ((float("nan"), 0.0), "azimuth"),
-        ((0.0, 0.0, 1.0, 0), "1 to 16384 pixels a side, got 0 x 0"),
-        ((0.0, 0.0, 1.0, 8, 8, float("inf")), "place must lie in"),
-        ((0.0, 0.0, 1.0, 8, 8, 0.0, 0.0, 0.0), "must stand above the ground"),
+        ((0.0, 0.0, 1.0, 0), "width must lie in .1, 16384. pixels, got 0"),
+        ((0.0, 0.0, 1.0, 8, 8, float("inf")), "east must lie in"),
+        ((0.0, 0.0, 1.0, 8, 8, 0.0, 0.0, 0.0), "above_ground must lie in .1e-06, 100000. m, got 0"),
     ],
 )
 def test_cameras_that_cannot_be(arguments, message):

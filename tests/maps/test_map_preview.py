@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from skydome.ground.tone import BLEACH, Filmic, Reinhard, auto_exposure, tone_mapped
+from skydome.light.tone import BLEACH, Filmic, Reinhard, auto_exposure, tone_mapped
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.preview import preview
 from skydome.maps.projections import Equirectangular

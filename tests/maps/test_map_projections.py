@@ -196,7 +196,7 @@ def test_heights_that_a_layout_cannot_take(projection, height):
 def test_wrong_parameters():
     with pytest.raises(ValueError, match="coverage must lie in"):
         Fisheye(coverage=7.0)
-    with pytest.raises(ValueError, match="azimuth_left must be finite"):
+    with pytest.raises(ValueError, match="azimuth_left must lie in"):
         Equirectangular(azimuth_left=float("nan"))
 
 

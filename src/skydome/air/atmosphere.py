@@ -12,8 +12,9 @@ from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
 from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
-from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range
+from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range, require, require_one
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
@@ -64,6 +65,9 @@ PREETHAM_HAZE = Aerosol(albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
 """The haze of Preetham's A.1: it scatters all, by Bullrich's table, with a scale height of 1.2 km."""
 
 
+TURBIDITY = Range(1.0, 64.0)
+
+
 @dataclass(frozen=True)
 class Atmosphere(Bounded):
     """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
@@ -89,10 +93,11 @@ class Atmosphere(Bounded):
         "sunlight": NOT_NEGATIVE,
         "sun_scale": Range(0.0, 1e9),
     }
+    kinds: ClassVar = {"constituents": (tuple, "(Molecules(), Aerosol(0.1))"), "sunlight": (Spectrum | None, "None")}
 
     def __post_init__(self) -> None:
         self.require_bounds()
-        if not self.constituents:
+        if len(self.constituents) == 0:
             raise ValueError("an atmosphere needs at least one constituent, got none")
 
     @classmethod
@@ -134,8 +139,9 @@ class Atmosphere(Bounded):
         >>> bool(np.isclose(air.depth([550.0])[0] / rayleigh_depth([550.0])[0], 3.0))
         True
         """
-        if not 1 <= turbidity <= 64:
-            raise ValueError(f"turbidity must lie in [1, 64], got {turbidity:g}")
+        require("turbidity", turbidity, TURBIDITY)
+        require_one("turbidity", turbidity)
+        require_kind(aerosol, Aerosol, "aerosol", "CONTINENTAL")
         depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
         return cls((Molecules(), replace(aerosol, optical_depth=depth), Ozone(ozone)), albedo)
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating
 from skydome.ground.limits.ranges import SHARE, Bounded, Range
 from skydome.light.spectrum import Spectrum
@@ -20,7 +21,7 @@ DEPTH = Range(0.0, 1e6)
 
 def at(value: Any, wavelengths: Any) -> Array:
     """A number, numbers (...,) of any library, or a `Spectrum`, at wavelengths (W,): shape (..., W)."""
-    w = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    w = np.atleast_1d(numbers(wavelengths, "wavelengths"))
     if isinstance(value, Spectrum):
         return value.at(w)
     number = floating(value)
@@ -115,10 +116,10 @@ class Aerosol(Constituent):
     def depth(self, wavelengths: ArrayLike) -> Array:
         """Angstrom's law, or the given spectrum."""
         if isinstance(self.optical_depth, Spectrum):
-            return self.optical_depth.at(np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)))
+            return self.optical_depth.at(np.atleast_1d(numbers(wavelengths, "wavelengths")))
         exponent = floating(self.angstrom, like=self.optical_depth)[..., None]
         depth = floating(self.optical_depth, like=exponent)[..., None]
-        ratio = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)) / 550
+        ratio = np.atleast_1d(numbers(wavelengths, "wavelengths")) / 550
         return depth * constant(ratio, exponent) ** -exponent
 
     def scattered(self, wavelengths: ArrayLike) -> Array:

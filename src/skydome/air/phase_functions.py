@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_sqrt
 from skydome.ground.interpolation import spline, weights
 from skydome.ground.quadrature import gauss_legendre
@@ -94,7 +95,7 @@ def wavelength_weights(wavelengths: Any) -> np.ndarray:
     The line from 400 to 450 nm is followed down to 350 nm; beyond 350 and 850 nm the end values are held.
     """
     known = np.array([400.0, 450.0, 550.0, 650.0, 850.0])
-    held: np.ndarray = weights(known, np.clip(np.asarray(wavelengths, dtype=np.float64), 350.0, 850.0)).T
+    held: np.ndarray = weights(known, np.clip(numbers(wavelengths, "wavelengths"), 350.0, 850.0)).T
     return held
 
 

@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.arguments import numbers
+from skydome.ground.arrays import Array, constant, floating, is_numpy, namespace
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
 
@@ -72,6 +74,9 @@ def legendre(count: int, cosine: np.ndarray) -> Array:
     return np.stack(rows[:count])
 
 
+ASYMMETRY = Range(-0.999999, 0.999999)
+
+
 @dataclass(frozen=True)
 class Rayleigh(PhaseLaw):
     """Rayleigh's phase function with a `depolarisation` factor (a number, for all wavelengths)."""
@@ -114,8 +119,7 @@ class HenyeyGreenstein(PhaseLaw):
                 f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
             )
         for g in self.asymmetries:
-            if is_concrete(g) and not (np.abs(as_numpy(g)) < 1).all():
-                raise ValueError(f"asymmetry must lie in (-1, 1), got {g}")
+            require("asymmetry", g, ASYMMETRY)
         if not (min(self.weights) >= 0 and sum(self.weights) > 0):
             raise ValueError(f"weights must not be negative, nor all 0, got {self.weights}")
 
@@ -230,7 +234,7 @@ class LegendreSeries(PhaseLaw):
 
     def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """The moments, 0 beyond the series' end."""
-        there = Spectrum(self.wavelengths, self.series[:count]).at(np.atleast_1d(np.asarray(wavelengths, dtype=float)))
+        there = Spectrum(self.wavelengths, self.series[:count]).at(np.atleast_1d(numbers(wavelengths, "wavelengths")))
         return np.concatenate([there, np.zeros((count - len(there), there.shape[1]))])
 
 

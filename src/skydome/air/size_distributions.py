@@ -3,14 +3,18 @@
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from skydome.ground.arrays import Array
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
 
+RADIUS = Range(1e-9, 1e-3, "m")
 
-class SizeDistribution(ABC):
+
+class SizeDistribution(Bounded, ABC):
     """Numbers of particles over the radius, m. Only their ratios count: a distribution has no concentration."""
 
     @abstractmethod
@@ -44,12 +48,6 @@ class SizeDistribution(ABC):
         return float(share @ ((radius - middle) ** 2 * radius**2) / (share @ radius**2) / middle**2)
 
 
-def require_radius(name: str, value: float) -> None:
-    """ValueError unless a radius lies between a nanometre and a millimetre."""
-    if not 1e-9 <= value <= 1e-3:
-        raise ValueError(f"{name} must lie in [1e-9, 1e-3] m, got {value:g}")
-
-
 @dataclass(frozen=True)
 class Lognormal(SizeDistribution):
     """ln r is normal: n(r) = exp(-(ln r / m)^2 / (2 ln^2 s)) / (r ln s), `median_radius` m and `deviation` s > 1.
@@ -63,11 +61,10 @@ class Lognormal(SizeDistribution):
 
     median_radius: float
     deviation: float
+    bounds: ClassVar = {"median_radius": RADIUS, "deviation": Range(1.001, 4.0)}
 
     def __post_init__(self) -> None:
-        require_radius("median_radius", self.median_radius)
-        if not 1.001 <= self.deviation <= 4:
-            raise ValueError(f"deviation (a geometric one) must lie in [1.001, 4], got {self.deviation:g}")
+        self.require_bounds()
 
     def number(self, radius: Array) -> Array:
         """The bell in ln r over r."""
@@ -94,14 +91,12 @@ class Junge(SizeDistribution):
     exponent: float = 4.0
     smallest: float = 0.04e-6
     largest: float = 10e-6
+    bounds: ClassVar = {"exponent": Range(-10.0, 10.0), "smallest": RADIUS, "largest": RADIUS}
 
     def __post_init__(self) -> None:
-        for name in ("smallest", "largest"):
-            require_radius(name, getattr(self, name))
+        self.require_bounds()
         if not self.smallest < self.largest:
             raise ValueError(f"smallest must be below largest, got {self.smallest:g} and {self.largest:g} m")
-        if not -10 <= self.exponent <= 10:
-            raise ValueError(f"exponent must lie in [-10, 10], got {self.exponent:g}")
 
     def number(self, radius: Array) -> Array:
         """(r / smallest)^-(v + 1)."""
@@ -127,11 +122,10 @@ class GammaSizes(SizeDistribution):
 
     radius: float
     variance: float
+    bounds: ClassVar = {"radius": RADIUS, "variance": Range(0.001, 0.45)}
 
     def __post_init__(self) -> None:
-        require_radius("radius", self.radius)
-        if not 0.001 <= self.variance <= 0.45:
-            raise ValueError(f"variance must lie in [0.001, 0.45], got {self.variance:g}")
+        self.require_bounds()
 
     def number(self, radius: Array) -> Array:
         """The gamma distribution, 1 at the effective radius."""

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.optical_mass import kasten_1966
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, namespace
+from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.directions import zenith_angle
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum, checked_wavelengths, interpolated, xyz_weights
 from skydome.sun.day import is_day
@@ -96,8 +97,8 @@ def angstrom_beta(turbidity: Array) -> Array:
 
 def require_least(name: str, value: Any, least: int) -> None:
     """ValueError for numbers below `least`; arrays that are being traced cannot be asked."""
-    if value is not None and is_concrete(value) and np.any(as_numpy(value) < least):
-        raise ValueError(f"{name} must be {least} or more, got {value}")
+    if value is not None:
+        require(name, value, Range(least, float("inf")))
 
 
 @dataclass(frozen=True, eq=False)

@@ -94,7 +94,7 @@ class SphericalHarmonics:
     coefficients: Array
 
     def __post_init__(self) -> None:
-        count = floating(self.coefficients).shape[-1]
+        count = floating(self.coefficients).shape[-1] if np.ndim(self.coefficients) else 0
         if isqrt(count) ** 2 != count:
             raise ValueError(f"coefficients must have shape (..., (order + 1)^2), got {count}")
 

@@ -8,9 +8,11 @@ import numpy as np
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, Constant, at_least, constant, floating, is_array, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
+from skydome.ground.limits.ranges import SHARE, require, require_one
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -50,6 +52,7 @@ def own_array(value: Any) -> Any:
     return floating(value) if is_array(value) and not isinstance(value, np.generic | Constant) else None
 
 
+@outer_labels("lx")
 def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:
     """Illuminance on planes with unit normals (..., 3), lx; light from below the horizon only with `ground_albedo`.
 
@@ -64,8 +67,8 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
     >>> round(float(sd.illuminance(sd.Uniform(1.0), sd.SOUTH, ground_albedo=0.2) / np.pi), 4)
     0.6
     """
-    if not 0 <= ground_albedo <= 1:
-        raise ValueError(f"ground_albedo must lie in [0, 1], got {ground_albedo}")
+    require("ground_albedo", ground_albedo, SHARE)
+    require_one("ground_albedo", ground_albedo)
     normals, single = planes(sky, normal)
     discs, rest = discs_and_rest(sky)
     nodes, weights = projected(normals, normals)
@@ -100,6 +103,7 @@ def below_horizon(normals: Array) -> Array:
     return (1 - normals[..., 2]) / 2
 
 
+@outer_labels("W m-2 nm-1")
 def irradiance(sky: Sky, wavelengths: Any, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> Array:
     """Spectral irradiance on planes with unit normals (..., 3) at `wavelengths` (W,) nm, W m-2 nm-1, shape (..., W).
 
@@ -111,9 +115,8 @@ def irradiance(sky: Sky, wavelengths: Any, normal: Any = ZENITH, *, ground_albed
     >>> irradiance(sky, [450.0, 550.0, 650.0]).shape
     (3,)
     """
+    require("ground_albedo", ground_albedo, SHARE)
     albedo = np.asarray(ground_albedo.at(wavelengths) if isinstance(ground_albedo, Spectrum) else ground_albedo)
-    if not ((albedo >= 0) & (albedo <= 1)).all():
-        raise ValueError(f"ground_albedo must lie in [0, 1], got {ground_albedo}")
     normals, single = planes(sky, normal)
     discs, rest = discs_and_rest(sky)
     nodes, weights = projected(normals, normals)

@@ -6,25 +6,30 @@ from numpy.typing import ArrayLike
 from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.dome.patches import Patches, patches
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
+from skydome.ground.labels import Axis
+from skydome.ground.limits.ranges import Range, require, require_one
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 
 FINEST_GRID = 64
+TOLERANCE = Range(1e-12, 0.5)
 DIRECTIONS_AT_ONCE = 1 << 18
 
 
+@outer_labels("cd m-2", (Axis("patch", None, 0),))
 def patch_means(sky: Sky, division: "str | Patches" = "tregenza", tolerance: float = 1e-4) -> Array:
     """Mean luminance of every patch, cd m-2, shape (..., N), the sky's leading axes first; its discs are left out.
 
     2 x 2 Gauss points, doubled in the patches where the mean still changes by more than `tolerance` of itself at any
-    of the sky's conditions (at most 64 x 64). ValueError for a tolerance outside (0, 1).
+    of the sky's conditions (at most 64 x 64). ValueError for a tolerance outside [1e-12, 0.5].
 
     >>> import skydome as sd
     >>> means = patch_means(sd.Uniform(5.0), "tregenza")
     >>> means.shape, bool(np.allclose(means, 5.0))
     ((145,), True)
     """
-    if not 0 < tolerance < 1:
-        raise ValueError(f"tolerance must lie in (0, 1), got {tolerance}")
+    require("tolerance", tolerance, TOLERANCE)
+    require_one("tolerance", tolerance)
     cut = patches(division)
     parts = discs_and_rest(sky)[1]
     every = np.arange(cut.count)

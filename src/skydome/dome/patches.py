@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.quadrature import gauss_legendre
@@ -181,6 +182,7 @@ def patches(name: "str | Patches") -> Patches:
     """
     if isinstance(name, Patches):
         return name
+    require_kind(name, str, "patches", "tregenza or reinhart:2")
     if name == "tregenza":
         return tregenza()
     kinds = {"reinhart": reinhart, "mf": reinhart, "equal-area": equal_area}

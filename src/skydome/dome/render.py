@@ -1,6 +1,5 @@
 """Maps of skies: the sky above, the ground below, the sun's energy exact."""
 
-from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,8 @@ from skydome.dome.ground_light import ground_rgb
 from skydome.dome.integrals import colourless, discs_and_rest, own_array
 from skydome.dome.painting import paint_rows
 from skydome.dome.sun_on_map import add_disc
-from skydome.ground.arrays import as_numpy, constant, is_array, is_numpy
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import as_numpy, brief, constant, is_array, is_labelled, is_numpy
 from skydome.ground.directions import ZENITH
 from skydome.ground.limits.sizes import require_memory
 from skydome.light.colour import SRGB, RGBSpace
@@ -17,6 +17,7 @@ from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import checked_out
+from skydome.skies.labelled import changed
 from skydome.skies.sky import Sky
 
 TEXEL_IN_WORK = 24
@@ -53,12 +54,17 @@ def render(
     (64, 128, 3)
     """
     projection = Equirectangular() if projection is None else projection
+    require_kind(projection, Projection, "projection", "Equirectangular()")
+    require_kind({} if metadata is None else metadata, dict, "metadata", '{"title": "noon"}')
+    require_kind(space, RGBSpace, "space", "SRGB")
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
-    require_one_condition(sky)
-    shown: ColourSky = in_numpy(sky)
+    shown = in_numpy(sky)
+    require_one_condition(shown)
     discs, rest = discs_and_rest(shown)
     rows, columns = projection.shape(height)
+    require_dtype(dtype)
+    require_kind(disc, bool, "disc", "False")
     require_memory(rows * columns * TEXEL_IN_WORK, f"a map of {rows} x {columns} texels")
     pixels = np.empty((rows, columns, 3), dtype=dtype) if out is None else checked_out(out, (rows, columns, 3))
     if not isinstance(projection, Equirectangular):
@@ -69,6 +75,16 @@ def render(
         add_disc(pixels, sun, float(factor), projection, height, space)
     provenance = {"model": shown.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
+
+
+def require_dtype(dtype: Any) -> None:
+    """TypeError unless pixels can be of that type."""
+    try:
+        known = np.dtype(dtype) in (np.float32, np.float64)
+    except TypeError:
+        known = False
+    if not known:
+        raise TypeError(f"dtype must be float32 or float64, as numpy.float32, got {brief(dtype)}")
 
 
 def require_one_condition(sky: Sky) -> None:
@@ -82,14 +98,11 @@ def require_one_condition(sky: Sky) -> None:
         )
 
 
-def in_numpy(value: Any) -> Any:
-    """A sky, or a parameter of one, with NumPy arrays in place of PyTorch's or JAX's; itself where it has none."""
-    if isinstance(value, Sky):
-        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}
-        changed = {name: new for name, old in held.items() if (new := in_numpy(old)) is not old}
-        return replace(value, **changed) if changed else value
-    if isinstance(value, tuple | list):
-        parts = [in_numpy(item) for item in value]
-        same = all(new is old for new, old in zip(parts, value, strict=True))
-        return value if same else type(value)(parts)
-    return as_numpy(value) if is_array(value) and not is_numpy(value) else value
+def in_numpy(sky: ColourSky) -> ColourSky:
+    """The sky with plain NumPy arrays in place of PyTorch's, JAX's and labelled ones; itself where it has none."""
+    return changed(sky, lambda value, _: as_numpy(value) if is_array(value) and not is_plain(value) else value)
+
+
+def is_plain(value: Any) -> bool:
+    """True for an array of NumPy's own."""
+    return is_numpy(value) and not is_labelled(value)

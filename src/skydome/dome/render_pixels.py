@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.dome.ground_light import ground_rgb
 from skydome.dome.integrals import colourless, discs_and_rest, own_array
-from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, is_concrete, limited, namespace
+from skydome.ground.arrays import Array, as_numpy, at_least, brief, constant, floating, is_concrete, limited, namespace
 from skydome.ground.directions import azimuth
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.maps.equirectangular import Equirectangular
@@ -45,7 +45,7 @@ def render_pixels(
     if not isinstance(sky, ColourSky):
         raise TypeError(colourless(sky))
     if not isinstance(projection, Equirectangular):
-        raise TypeError(f"render_pixels lays out equirectangular maps alone, got {projection}")
+        raise TypeError(f"render_pixels lays out equirectangular maps alone, got {brief(projection)}")
     ground = ground_rgb(sky, ground_albedo, space)
     xp = namespace(ground)
     half = projection.directions(height, slice(0, height // 2))

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest, own_array
-from skydome.ground.arrays import Array, as_numpy, constant
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import Array, as_numpy, brief, constant
 from skydome.ground.directions import angle_between, azimuth, checked_directions, direction, tangent_frame
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
@@ -132,7 +133,8 @@ class SkySampler:
     def sample(self, n: int, seed: int | np.random.Generator) -> tuple[Array, Array]:
         """Directions (n, 3) and their probability densities (n,), sr-1, in the library and dtype of the sky."""
         if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
-            raise ValueError(f"n must be a whole number of directions, at least 0, got {n!r}")
+            raise ValueError(f"n must be a whole number of directions, at least 0, got {brief(n, typed=False)}")
+        require_kind(seed, int | np.integer | np.random.Generator, "seed", "1")
         pick, first, second = np.random.default_rng(seed).random((3, n))
         part = np.searchsorted(np.cumsum(self.shares)[:-1], pick, side="right")
         directions = self.dome.directions(first, second)

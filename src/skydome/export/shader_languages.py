@@ -3,6 +3,8 @@
 import re
 from dataclasses import dataclass, replace
 
+from skydome.ground.arguments import require_word
+
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d*(?:e[+-]?\d+)?)(?![\w.])")
 C_FUNCTIONS = {"exp": "expf", "sqrt": "sqrtf", "asin": "asinf", "max": "fmaxf", "min": "fminf", "cos": "cosf"}
 C_FUNCTIONS |= {"floor": "floorf", "sin": "sinf", "log": "logf", "pow": "powf", "atan2": "atan2f", "acos": "acosf"}
@@ -142,10 +144,8 @@ def language(name: str) -> Language:
     >>> language("wgsl").answer
     'return vec3<f32>({r}, {g}, {b});'
     """
-    for entry in LANGUAGES:
-        if entry.name == name:
-            return entry
-    raise ValueError(f"language must be one of {', '.join(entry.name for entry in LANGUAGES)}, got {name!r}")
+    known = {entry.name: entry for entry in LANGUAGES}
+    return known[require_word(name, known, "language")]
 
 
 def number(value: float) -> str:

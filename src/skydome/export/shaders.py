@@ -1,7 +1,6 @@
 """Skies as shader source: one function from a direction to linear RGB, or bands, in GLSL, WGSL, HLSL, OSL or C."""
 
 import json
-import math
 
 import numpy as np
 
@@ -15,11 +14,15 @@ from skydome.export.held_shader import held_code
 from skydome.export.network_shader import bands_code, network_code
 from skydome.export.shader_languages import Language, language
 from skydome.export.sky_numbers import CONSTANTS, Numbers, Uniforms
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import as_numpy
+from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.neural.sky import NeuralForm, NeuralSpectralSky
 from skydome.skies.physical.held import HeldSky
 from skydome.skies.sky import Sky
+
+SCALE = Range(1e-30, 1e30)
 
 
 def shader(
@@ -46,6 +49,7 @@ def shader(
     >>> "fn skydome_rgb(direction: vec3<f32>) -> vec3<f32>" in code
     True
     """
+    require_kind(uniforms, bool, "uniforms", "True")
     spelling = language(lang).reading() if uniforms else language(lang)
     code = sky_code(sky, spelling, scale, space, bands, Uniforms(spelling) if uniforms else CONSTANTS)
     meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
@@ -83,8 +87,11 @@ def kinds(sky: Sky) -> list[str]:
 
 def sky_code(sky: Sky, spelling: Language, scale: float, space: RGBSpace, bands: bool, numbers: Numbers) -> Code:
     """The code of a sky; ValueError for one that is black, or a scale that is none."""
-    if not 0 < scale < math.inf:
-        raise ValueError(f"scale must be positive and finite, got {scale}")
+    require_kind(sky, Sky, "sky", "Preetham(sun, turbidity=3.0)")
+    require_kind(bands, bool, "bands", "True")
+    RGBSpace.required(space)
+    require("scale", scale, SCALE)
+    require_one("scale", scale)
     if not np.all(as_numpy(sky.is_day)):
         raise ValueError("the sun is below the horizon: this sky is black, and no shader is needed")
     if bands:

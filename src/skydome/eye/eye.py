@@ -1,17 +1,19 @@
 """The eye that looks at a sky: its age, its iris, its pupil, and what it makes of a map or a view."""
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.eye.bright_source import BrightSource, without_sources
 from skydome.eye.glow import Glow, disc_glow
-from skydome.eye.point_spread import PIGMENTS, CIETotal, PointSpread, StilesHolladay
+from skydome.eye.point_spread import AGES, PIGMENTS, CIETotal, PointSpread, StilesHolladay
 from skydome.eye.sphere_blur import blurred_map
 from skydome.eye.streaks import Needles
 from skydome.eye.view import Camera, Frame, require_view_of_glare
 from skydome.eye.view_blur import blurred
+from skydome.ground.arguments import require_kind, require_word
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.light.colour import RGBSpace
 from skydome.maps.environment_map import EnvironmentMap
 
@@ -54,7 +56,7 @@ class Seen:
 
 
 @dataclass(frozen=True)
-class Eye:
+class Eye(Bounded):
     """An eye by `age`, years, 5-100, and perhaps `iris`: black, brown, green, blue. `pupil` in mm; None: by the light.
 
     Its spread is `StilesHolladay`, the standard veil at that age, which knows no iris; where an iris is given, CIE
@@ -69,15 +71,15 @@ class Eye:
     pupil: float | None = None
     spread: PointSpread | None = None
     needles: Needles | None = field(default_factory=Needles)
+    bounds: ClassVar = {"age": Range(*AGES, "years"), "pupil": Range(1.0, 9.0, "mm")}
+    kinds: ClassVar = {"spread": (PointSpread | None, "PHOTOPIC"), "needles": (Needles | None, "Needles()")}
 
     def __post_init__(self) -> None:
-        if self.iris is not None and self.iris not in PIGMENTS:
-            raise ValueError(f"iris must be one of {', '.join(PIGMENTS)}, got {self.iris!r}")
-        if self.pupil is not None and not 1 <= self.pupil <= 9:
-            raise ValueError(f"pupil must lie in [1, 9] mm, got {self.pupil:g}")
+        if self.iris is not None:
+            require_word(self.iris, PIGMENTS, "iris")
+        self.require_bounds()
         if self.iris is not None and self.spread is not None:
             raise ValueError(f"give an eye an iris or a spread, not both, got {self.iris!r} and {self.spread}")
-        CIETotal(self.age)  # refuses an age out of range
 
     @property
     def own_spread(self) -> PointSpread:
@@ -98,7 +100,11 @@ class Eye:
 
         `sources` are added to the map: give them for a map that does not hold its sun.
         """
+        require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
         require_view_of_glare(view)
+        require_kind(sources, list | None, "sources", "[BrightSource(...)]")
+        for source in sources or ():
+            require_kind(source, BrightSource, "each source", "BrightSource(...)")
         if sources is None:
             environment, sources = without_sources(environment)
         scene = view.seen(environment)
@@ -111,6 +117,7 @@ class Eye:
 
     def on_sphere(self, environment: EnvironmentMap) -> EnvironmentMap:
         """The map with its light scattered as in an eye that looks everywhere: each texel is what is seen there."""
+        require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
         calm, sources = without_sources(environment)
         result = blurred_map(calm, self.own_spread)
         pixels = result.pixels.astype(np.float32)

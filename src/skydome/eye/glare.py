@@ -17,6 +17,7 @@ from skydome.eye.view import HalfSphere
 from skydome.ground.arguments import require_kind
 from skydome.ground.directions import angle_between
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.ground.units import deg
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projection import texel_centre
@@ -133,6 +134,9 @@ def eye_illuminance(luminance: np.ndarray, frame: HalfSphere) -> float:
     return float(np.sum(luminance * cosine * frame.solid_angles()))
 
 
+YEARS = Range(0.0, AGES[1], "years")
+
+
 def veiling_luminance(luminance: np.ndarray, frame: HalfSphere, age: float = 0.0, nearest: float = 1 * deg) -> float:
     """Luminance that scattering in the eye lays over what is looked at, cd m-2 (Stiles and Holladay, with age).
 
@@ -140,8 +144,8 @@ def veiling_luminance(luminance: np.ndarray, frame: HalfSphere, age: float = 0.0
     The formula holds from 1 to 30 degrees: light nearer than `nearest` is what is looked at, light from beyond 30
     degrees, which adds little, goes by the same law.
     """
-    if not 0 <= age <= AGES[1]:
-        raise ValueError(f"age must lie in [0, {AGES[1]:g}] years, got {age:g}")
+    require("age", age, YEARS)
+    require_one("age", age)
     cosine = np.clip(frame.directions() @ frame.forward, 0.0, 1.0)
     angle = np.arccos(cosine)
     share = np.where(angle >= nearest, stiles_holladay(np.maximum(angle, nearest), age), 0.0)
@@ -158,6 +162,9 @@ def veil_of_source(
     return float(illuminance * np.cos(angle) * stiles_holladay(angle, age))
 
 
+SIDE_OF_VIEW = Range(100, 8192, "pixels")
+
+
 def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: float = 0.0, side: int = 800) -> Glare:
     """The glare of a map for one who looks toward an azimuth and elevation, radians.
 
@@ -170,8 +177,8 @@ def glare(environment: EnvironmentMap, azimuth: float, elevation: float, age: fl
     (3142, 0.343, 0)
     """
     required("scipy", "eye", "glare")
-    if side < 100:
-        raise ValueError(f"side of the round picture must be at least 100 pixels, got {side}")
+    require("side of the round picture", side, SIDE_OF_VIEW)
+    require_one("side of the round picture", side, whole=True)
     require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
     frame, weights = HalfSphere(azimuth, elevation, side), environment.space.to_xyz[1]
     calm, suns = without_sources(environment)

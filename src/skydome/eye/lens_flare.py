@@ -9,6 +9,7 @@ from skydome.eye.bright_source import BrightSource, without_sources
 from skydome.eye.eye import Seen
 from skydome.eye.glow import Glow
 from skydome.eye.view import Camera, require_view_of_glare
+from skydome.ground.arguments import require_kind
 from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.projection import texel_centre
@@ -51,6 +52,7 @@ class LensFlare(Bounded):
     def look(self, environment: EnvironmentMap, view: Camera) -> Seen:
         """The map as a camera sees it in a view, without and with the flare of its suns."""
         require_view_of_glare(view)
+        require_kind(environment, EnvironmentMap, "environment", "render(sky, height=1024) or load(file)")
         calm, sources = without_sources(environment)
         scene = view.seen(calm)
         plain, flared = scene.copy(), scene

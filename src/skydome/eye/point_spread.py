@@ -170,7 +170,7 @@ SCOTOPIC = Spencer(core=0.282, bloom=0.207, halo=0.033)
 
 
 @dataclass(frozen=True)
-class CIETotal(PointSpread):
+class CIETotal(Bounded, PointSpread):
     """The spread of CIE 135/1 for an age in years, 5-100, and a pigmentation factor, 0-1.2 (see `PIGMENTS`).
 
     >>> old, young = CIETotal(age=75.0), CIETotal(age=25.0)
@@ -181,12 +181,10 @@ class CIETotal(PointSpread):
     age: float = 35.0
     pigment: float = 0.5
     holds_halo: ClassVar[bool] = True
+    bounds: ClassVar = {"age": Range(*AGES, "years"), "pigment": Range(0.0, 1.2)}
 
     def __post_init__(self) -> None:
-        if not AGES[0] <= self.age <= AGES[1]:
-            raise ValueError(f"age must lie in [{AGES[0]:g}, {AGES[1]:g}] years, got {self.age:g}")
-        if not 0 <= self.pigment <= 1.2:
-            raise ValueError(f"pigment must lie in [0, 1.2], got {self.pigment:g}")
+        self.require_bounds()
 
     def published(self, angle: Array) -> Array:
         """CIE 135/1's total glare function, sr^-1."""
@@ -201,7 +199,7 @@ SOFT = 0.1
 
 
 @dataclass(frozen=True)
-class StilesHolladay(PointSpread):
+class StilesHolladay(Bounded, PointSpread):
     """The veil of Stiles and Holladay for an `age` in years, 0-100, continued to the point and to 90 degrees.
 
     From 1 degree outwards 10 (1 + (age / 70)^4) / (angle^2 + 0.1^2), angle in degrees: the standard veil within 1 %.
@@ -215,10 +213,10 @@ class StilesHolladay(PointSpread):
 
     age: float = 35.0
     holds_halo: ClassVar[bool] = True
+    bounds: ClassVar = {"age": Range(0.0, AGES[1], "years")}
 
     def __post_init__(self) -> None:
-        if not 0 <= self.age <= AGES[1]:
-            raise ValueError(f"age must lie in [0, {AGES[1]:g}] years, got {self.age:g}")
+        self.require_bounds()
 
     def veil(self, angle: Array) -> Array:
         """Stiles and Holladay's veil, levelled off towards the point, sr^-1."""

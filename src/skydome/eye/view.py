@@ -4,15 +4,17 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.directions import checked_elevation, checked_turn, direction, in_degrees
+from skydome.ground.arguments import require_kind
+from skydome.ground.directions import checked_elevation, checked_turn, direction
 from skydome.ground.extras import required
-from skydome.ground.limits.ranges import FINITE, require
+from skydome.ground.limits.ranges import FINITE, Bounded, Range
 from skydome.ground.limits.sizes import require_memory
-from skydome.ground.units import deg
+from skydome.ground.units import deg, in_degrees
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import texel_centre
@@ -20,6 +22,7 @@ from skydome.maps.projection import texel_centre
 PIXELS, PIXEL_IN_WORK = 16384, 48
 """Of a side, at most; and bytes that a pixel takes while it is painted."""
 FIELDS_OF_VIEW = (1.0, 150.0)
+SIDE = Range(1, PIXELS, "pixels")
 SIDES = (16, 8192)
 """Degrees and pixels of the views whose glare can be painted."""
 
@@ -27,15 +30,15 @@ CHUNK = 1 << 16
 
 
 @dataclass(frozen=True)
-class Frame(ABC):
+class Frame(Bounded, ABC):
     """Where one looks: azimuth clockwise from north and elevation, radians; the horizon lies level in the picture."""
 
     azimuth: float = 0.0
     elevation: float = 0.0
+    bounds: ClassVar = {"azimuth": FINITE, "elevation": FINITE}
 
     def __post_init__(self) -> None:
-        for name in ("azimuth", "elevation"):
-            require(f"{name} of a view", getattr(self, name), FINITE)
+        self.require_bounds()
         checked_turn(self.azimuth, "azimuth of a view")
         checked_elevation(self.elevation, "elevation of a view")
 
@@ -131,21 +134,16 @@ class Camera(Frame):
     east: float = 0.0
     north: float = 0.0
     above_ground: float = 2.0
+    bounds: ClassVar = dict.fromkeys(("width", "height"), SIDE) | {"above_ground": Range(1e-6, 1e5, "m")}
+    bounds |= dict.fromkeys(("field_of_view", "east", "north"), FINITE)
 
     def __post_init__(self) -> None:
         """Validate only."""
         super().__post_init__()
         rows, columns = self.shape
-        if not (1 <= columns <= PIXELS and 1 <= rows <= PIXELS):
-            raise ValueError(f"a picture must have 1 to {PIXELS} pixels a side, got {columns} x {rows}")
         require_memory(rows * columns * PIXEL_IN_WORK, f"a picture of {columns} x {rows}")
         if not 0 < self.field_of_view < 170 * deg:
             raise ValueError(f"the field of view must lie in (0, 170) degrees, got {in_degrees(self.field_of_view)}")
-        require("the camera's place", (self.east, self.north), FINITE)
-        if not 0 < self.above_ground < 1e5:
-            raise ValueError(
-                f"the camera must stand above the ground, by 0 to 100 km, got {self.above_ground:g} m above it"
-            )
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -191,6 +189,7 @@ class Camera(Frame):
 
 def require_view_of_glare(view: Camera) -> None:
     """ValueError for a view in which glare cannot be painted: too wide or narrow, of too few or too many pixels."""
+    require_kind(view, Camera, "view", "Camera(azimuth=180 * deg)")
     low, high = FIELDS_OF_VIEW
     degrees = view.field_of_view / deg
     if not low <= degrees * (1 + 1e-12) or not degrees <= high * (1 + 1e-12):
@@ -212,6 +211,7 @@ class HalfSphere(Frame):
     """
 
     side: int = 800
+    bounds: ClassVar = {"side": SIDE}
 
     @property
     def shape(self) -> tuple[int, int]:

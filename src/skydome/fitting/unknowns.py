@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.skies.catalogue import usually_fitted
 from skydome.skies.sky import Sky
@@ -67,7 +68,10 @@ class Problem:
     @classmethod
     def of(cls, model: type[Sky], free: Sequence[str] | None, initial: Mapping[str, Any] | None) -> "Problem":
         """The problem as a caller words it; ValueError for names that the model does not have or that nothing fits."""
-        given = dict(initial or {})
+        require_kind(model, type, "model", "HosekWilkie")
+        given = dict({} if initial is None else initial) if isinstance(initial, Mapping | None) else None
+        require_kind(given, dict, "initial", '{"turbidity": 3.0}')
+        require_kind(free, Sequence | None, "free", '["turbidity"]')
         own = [item.name for item in fields(model) if item.name != "check"]
         free = usually_fitted(model) if free is None else tuple(free)
         if not free:

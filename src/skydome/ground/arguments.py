@@ -1,12 +1,30 @@
 """What is asked of arguments before any work: their kind, files that are there, shapes that go together."""
 
+from collections.abc import Iterable
 from os import PathLike
 from pathlib import Path
+from types import NoneType, UnionType
+from typing import Any, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from skydome.ground.arrays import Array, brief, floating, floats
+
+Kind = type | UnionType
+"""A class, or several: `Spectrum | None`."""
 
 
-def require_kind(value: object, kind: type, name: str, example: str) -> None:
+def named(kind: Kind) -> str:
+    """A kind in words.
+
+    >>> named(int | None)
+    'int or None'
+    """
+    return " or ".join("None" if part is NoneType else part.__name__ for part in get_args(kind) or (kind,))
+
+
+def require_kind(value: object, kind: Kind, name: str, example: str) -> None:
     """TypeError, with an example of what is allowed, unless the value is of the kind.
 
     >>> require_kind((45.07, 7.69), dict, "place", "{}")
@@ -14,9 +32,55 @@ def require_kind(value: object, kind: type, name: str, example: str) -> None:
     TypeError: place must be of kind dict, as {}, got tuple (45.07, 7.69)
     """
     if not isinstance(value, kind):
-        shown = " ".join(repr(value).split())
-        shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
-        raise TypeError(f"{name} must be of kind {kind.__name__}, as {example}, got {type(value).__name__} {shown}")
+        raise TypeError(f"{name} must be of kind {named(kind)}, as {example}, got {brief(value)}")
+
+
+def numbers(value: ArrayLike, name: str) -> np.ndarray:
+    """The value as a new float64 array, copied; TypeError by its name for what holds no numbers.
+
+    >>> numbers("blue", "wavelengths")
+    Traceback (most recent call last):
+    TypeError: wavelengths must be numbers, got str 'blue'
+    """
+    try:
+        return np.array(floats(value), dtype=np.float64)
+    except TypeError:
+        raise TypeError(f"{name} must be numbers, got {brief(value)}") from None
+
+
+def with_last_axis(value: Any, length: int, name: str, like: object = None) -> Array:
+    """The value as a floating array (..., length); ValueError by its name for another shape."""
+    array = floating(value, like)
+    if array.ndim == 0 or array.shape[-1] != length:
+        raise ValueError(f"{name} must have shape (..., {length}), got {tuple(array.shape)}")
+    return array
+
+
+def require_word(value: object, words: Iterable[str], name: str) -> str:
+    """The value; ValueError unless it is one of the words.
+
+    >>> require_word("green", ["red", "blue"], "colour")
+    Traceback (most recent call last):
+    ValueError: colour must be one of red, blue, got 'green'
+    """
+    allowed = list(words)
+    if not isinstance(value, str) or value not in allowed:
+        raise ValueError(
+            f"{name} must be one of {', '.join(allowed)}, got {brief(value, typed=not isinstance(value, str))}"
+        )
+    return value
+
+
+def require_path(path: str | PathLike[str], what: str) -> Path:
+    """The path; TypeError for what is no path.
+
+    >>> require_path(None, "a map")
+    Traceback (most recent call last):
+    TypeError: a map must be given by its path, got None
+    """
+    if not isinstance(path, str | PathLike):
+        raise TypeError(f"{what} must be given by its path, got {brief(path)}")
+    return Path(path)
 
 
 def require_file(path: str | PathLike[str], what: str) -> Path:
@@ -26,7 +90,7 @@ def require_file(path: str | PathLike[str], what: str) -> Path:
     Traceback (most recent call last):
     FileNotFoundError: a map must be a file that exists, got none.exr
     """
-    path = Path(path)
+    path = require_path(path, what)
     if path.is_dir():
         raise IsADirectoryError(f"{what} must be a file, got the folder {path}")
     if not path.exists():

@@ -7,7 +7,16 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
+expected = "expected an array or a number, got {}"
 type_error = "arrays of different libraries cannot be mixed, got {}; convert them to one library first"
+
+
+def brief(value: object, typed: bool = True) -> str:
+    """A value in a few words of one line for a message: its type, if `typed`, and its beginning."""
+    shown = " ".join(repr(value).split())
+    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
+    return f"{type(value).__name__} {shown}" if typed and value is not None else shown
+
 
 WITHOUT_DTYPE = (int, float, np.generic, list, tuple)
 """Types of bare numbers; a tuple, as torch.compile does not read unions of types."""
@@ -59,15 +68,23 @@ def without_class(value: Any) -> Any:
 
 def is_numpy(value: object) -> bool:
     """True for what NumPy can hold without another library: arrays, numbers, lists; and arrays with labels."""
-    return value is None or isinstance(value, HELD_BY_NUMPY) or is_labelled(value)
+    return value is None or isinstance(value, HELD_BY_NUMPY) or is_labelled(value) or is_of(value, "pandas", "Index")
 
 
 def is_labelled(value: object) -> bool:
-    """True for a Series, DataFrame or Index of pandas, or a DataArray of xarray."""
-    pandas, xarray = sys.modules.get("pandas"), sys.modules.get("xarray")
-    if pandas is not None and isinstance(value, pandas.Series | pandas.DataFrame | pandas.Index):
-        return True
-    return xarray is not None and isinstance(value, xarray.DataArray)
+    """True for a Series or DataFrame of pandas, or a DataArray of xarray: an array with labels along its axes."""
+    return is_of(value, "pandas", "Series", "DataFrame") or is_data_array(value)
+
+
+def is_data_array(value: object) -> bool:
+    """True for a DataArray of xarray."""
+    return is_of(value, "xarray", "DataArray")
+
+
+def is_of(value: object, library: str, *kinds: str) -> bool:
+    """True for an instance of one of a library's classes, by name; the library is not imported for that."""
+    module = sys.modules.get(library)
+    return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
 
 
 def namespace(*values: Any) -> Any:
@@ -92,7 +109,7 @@ def namespace(*values: Any) -> Any:
 
     for value in foreign:
         if not array_api_compat.is_array_api_obj(value):
-            raise TypeError(f"expected an array or a number, got {type(value).__name__} {str(value)[:40]!r}")
+            raise TypeError(expected.format(brief(value)))
     libraries = sorted({type(value).__module__.split(".")[0] for value in foreign + own})
     try:
         return array_api_compat.array_namespace(*foreign, *own)
@@ -129,22 +146,37 @@ def floating(value: Any, like: object = None) -> Array:
 
     Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
     """
-    if value is None:
-        raise TypeError("expected an array or a number, got None")
     if is_array(like) and is_number(value):
         return constant(value, like)
     if is_numpy(value):
-        array = np.asarray(value)
-        return array if array.dtype.kind == "f" else array.astype(np.float64)
+        return floats(value)
     xp = namespace(value)
     return value if xp.isdtype(value.dtype, "real floating") else xp.astype(value, xp.asarray(1.0).dtype)
+
+
+def floats(value: Any) -> np.ndarray:
+    """Numbers as NumPy holds them, floating ones untouched, others float64; TypeError for words, dates and the like.
+
+    >>> floats(["red"])
+    Traceback (most recent call last):
+    TypeError: expected an array or a number, got list ['red']
+    """
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind == "f":
+            return array
+        if array.dtype.kind in "iubO" and value is not None:
+            return array.astype(np.float64)
+    except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
+        pass
+    raise TypeError(expected.format(brief(value)))
 
 
 def constant(table: Any, like: Array) -> Array:
     """A number, list or NumPy table as an array of the library, dtype and device of `like`."""
     if is_numpy(like):
         dtype = np.asarray(like).dtype
-        return np.asarray(table, dtype=dtype if dtype.kind == "f" else np.float64)
+        return floats(table).astype(dtype if dtype.kind == "f" else np.float64, copy=False)
     xp = namespace(like)
     if xp.__name__.endswith("torch"):
         return xp.asarray(np.array(table), dtype=like.dtype, device=like.device)

@@ -5,6 +5,7 @@ from warnings import warn
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import with_last_axis
 from skydome.ground.arrays import (
     Array,
     Constant,
@@ -17,7 +18,8 @@ from skydome.ground.arrays import (
     namespace,
     safe_sqrt,
 )
-from skydome.ground.units import deg
+from skydome.ground.labels import COMPONENTS, keeps_labels
+from skydome.ground.units import in_degrees
 
 ZENITH: np.ndarray = Constant.of([0.0, 0.0, 1.0])
 """Straight up, (0, 0, 1)."""
@@ -38,6 +40,7 @@ ROUNDED = 1e-6
 """How far an angle may lie beyond its limit: by rounding, in float32 too."""
 
 
+@keeps_labels(last=(COMPONENTS,), azimuth=0, elevation=0)
 def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     """Unit vectors toward azimuth (clockwise from north) and elevation, radians; shape (..., 3).
 
@@ -55,16 +58,6 @@ def direction(azimuth: ArrayLike, elevation: ArrayLike) -> Array:
     level = xp.cos(elevation)
     parts = xp.broadcast_arrays(xp.sin(azimuth) * level, xp.cos(azimuth) * level, xp.sin(elevation))
     return xp.stack(list(parts), axis=-1)
-
-
-def in_degrees(angle: float) -> str:
-    """An angle, radians, in degrees for a message; with a hint where degrees were meant, as is likely beyond pi.
-
-    >>> in_degrees(1.6), in_degrees(45)
-    ('91.6732', '2578.31 (45 radians; degrees are written 45 * deg)')
-    """
-    hint = f" ({angle:g} radians; degrees are written {angle:g} * deg)" if abs(angle) > np.pi else ""
-    return f"{angle / deg:g}{hint}"
 
 
 def checked_elevation(angle: ArrayLike, name: str) -> Array:
@@ -101,6 +94,7 @@ def checked_turn(angle: ArrayLike, name: str) -> Array:
     return angle
 
 
+@keeps_labels("rad", directions=1)
 def azimuth(directions: Array) -> Array:
     """Azimuth of each direction, radians clockwise from north in [0, 2 pi), shape (...,); 0 at zenith and nadir.
 
@@ -108,13 +102,14 @@ def azimuth(directions: Array) -> Array:
     1.5
     """
     xp = namespace(directions)
-    v = floating(directions)
+    v = with_last_axis(directions, 3, "directions")
     angle = xp.atan2(v[..., 0], v[..., 1])
     turn = 2 * np.pi
     turned = xp.where(angle < 0, angle + turn, angle)
     return xp.where(turned >= turn, xp.zeros_like(turned), turned)
 
 
+@keeps_labels("rad", directions=1)
 def elevation(directions: Array) -> Array:
     """Elevation above the horizon, radians in [-pi/2, pi/2], shape (...,); exact near the zenith too.
 
@@ -122,10 +117,11 @@ def elevation(directions: Array) -> Array:
     (0.0, 0.5)
     """
     xp = namespace(directions)
-    v = floating(directions)
+    v = with_last_axis(directions, 3, "directions")
     return xp.atan2(v[..., 2], safe_sqrt(v[..., 0] ** 2 + v[..., 1] ** 2))
 
 
+@keeps_labels("rad", directions=1)
 def zenith_angle(directions: Array) -> Array:
     """Angle from the zenith, radians in [0, pi], shape (...,)."""
     xp = namespace(directions)
@@ -140,6 +136,7 @@ def half_chord_squared(a: Array, b: Array) -> Array:
     return xp.sum(difference * difference, axis=-1) / 4
 
 
+@keeps_labels("rad", a=1, b=1)
 def angle_between(a: Array, b: Array) -> Array:
     """Angle between unit vectors by the haversine form, radians, shape (...,).
 
@@ -150,7 +147,7 @@ def angle_between(a: Array, b: Array) -> Array:
     0.5
     """
     xp = namespace(a, b)
-    hav = limited(half_chord_squared(floating(a, like=b), floating(b, like=a)), 0.0, 1.0)
+    hav = limited(half_chord_squared(with_last_axis(a, 3, "a", b), with_last_axis(b, 3, "b", a)), 0.0, 1.0)
     return 2 * xp.atan2(safe_sqrt(hav), safe_sqrt(1 - hav))
 
 
@@ -196,6 +193,7 @@ def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_differen
     return xp.atan2(across, sin_a * sin_b + cos_a * cos_b * cos_d)
 
 
+@keeps_labels(last=(COMPONENTS,), vectors=1)
 def unit(vectors: Array) -> Array:
     """Vectors (..., 3) scaled to length 1; ValueError where one has length 0.
 
@@ -203,7 +201,7 @@ def unit(vectors: Array) -> Array:
     [0.0, 0.6, 0.8]
     """
     xp = namespace(vectors)
-    v = floating(vectors)
+    v = with_last_axis(vectors, 3, "vectors")
     length = xp.sqrt(xp.sum(v * v, axis=-1, keepdims=True))
     if is_concrete(length) and bool(xp.any(length == 0)):
         raise ValueError("a direction must not have length 0, got (0, 0, 0)")

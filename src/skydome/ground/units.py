@@ -16,3 +16,13 @@ SOLAR_CONSTANT = 1367.0
 
 EARTH_RADIUS = 6_371_000.0
 """Mean radius of the earth, m (IUGG: 6371.009 km)."""
+
+
+def in_degrees(angle: float) -> str:
+    """An angle, radians, in degrees for a message; with a hint where degrees were meant, as is likely beyond pi.
+
+    >>> in_degrees(1.6), in_degrees(45)
+    ('91.6732', '2578.31 (45 radians; degrees are written 45 * deg)')
+    """
+    hint = f" ({angle:g} radians; degrees are written {angle:g} * deg)" if abs(angle) > math.pi else ""
+    return f"{angle / deg:g}{hint}"

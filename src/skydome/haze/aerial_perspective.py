@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
@@ -46,7 +47,7 @@ class AerialPerspective(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class AirLight:
+class AirLight(Bounded):
     """The air of one sky, ready for many rays. See `aerial_perspective` for the parameters.
 
     `height` is measured above the ground to which `turbidity` belongs. `meets_horizon`: scattered light is scaled, by
@@ -65,16 +66,14 @@ class AirLight:
     ground_albedo: float = 0.0
     method: Integration = field(default_factory=FewNodes)
     meets_horizon: bool = False
+    bounds: ClassVar = {"ground_albedo": SHARE, "turbidity": FINITE, "wavelengths": NOT_NEGATIVE}
+    kinds: ClassVar = {"method": (Integration, "FewNodes()")}
 
     def __post_init__(self) -> None:
-        """Validate only."""
         lit = self.parts[1][0].sunlit if self.parts[1] else None
         if lit is not None and not lit.one_sun:
             raise ValueError("aerial perspective needs a sky with one sun, of shape (3,); loop over the others")
-        if not 0 <= self.ground_albedo <= 1:
-            raise ValueError(f"ground_albedo must lie in [0, 1], got {self.ground_albedo}")
-        if not isinstance(self.method, Integration):
-            raise TypeError(f"method must be an Integration such as FewNodes(), got {type(self.method).__name__}")
+        self.require_bounds()
         if self.wavelengths is not None:
             Wavelengths(checked_wavelengths(self.wavelengths))
         if np.ndim(self.haze_turbidity) and self.meets_horizon:
@@ -247,4 +246,5 @@ def aerial_perspective(
     >>> bool(red > green > blue)
     True
     """
-    return AirLight(sky, wavelengths, turbidity, ground_albedo, method or FewNodes()).at(distance, direction, height)
+    few = FewNodes() if method is None else method
+    return AirLight(sky, wavelengths, turbidity, ground_albedo, few).at(distance, direction, height)

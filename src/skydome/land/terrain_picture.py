@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground import exr, png
-from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import SRGB, encode_srgb
+from skydome.light.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.maps.files import light_unit
 
 

@@ -6,5 +6,6 @@
 - colour_temperature  Colour temperature: Planck's law, the nearest black body to a colour, and the distance to it
 - irradiance          Measured irradiances of sun and sky: their limits and the reasons
 - decomposition       Global irradiance split into diffuse and direct where it is all that was measured
+- tone                From scene to screen: exposure, and curves that bring any brightness into 0..1, hue kept
 - daylight            Daylight: the spectrum of the CIE D series that has a given colour and luminance
 """

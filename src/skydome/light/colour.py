@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide, settled
 
 Chromaticity = tuple[float, float]
@@ -83,6 +84,11 @@ class RGBSpace:
         triangles = combinations((self.red, self.green, self.blue, self.white), 3)
         if any(abs(area(*each)) < LEAST_AREA for each in triangles):
             raise ValueError(f"primaries and white must be three colours and one between them, got {numbers}")
+
+    @classmethod
+    def required(cls, value: object) -> None:
+        """TypeError unless the value is a space."""
+        require_kind(value, cls, "space", "SRGB")
 
     @property
     def to_xyz(self) -> np.ndarray:
@@ -195,6 +201,7 @@ def rgb_from_xyz(xyz: ArrayLike, space: RGBSpace = SRGB) -> Array:
     [1.0, 1.0, 1.0]
     """
     xyz = floating(xyz)
+    RGBSpace.required(space)
     return xyz @ constant(space.from_xyz.T, xyz)
 
 

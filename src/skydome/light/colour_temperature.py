@@ -5,7 +5,9 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import numbers, with_last_axis
 from skydome.ground.arrays import as_numpy
+from skydome.ground.labels import keeps_labels
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 
 PLANCK = 6.62607015e-34
@@ -52,8 +54,8 @@ def uv_from_xyz(xyz: ArrayLike) -> np.ndarray:
     >>> uv_from_xyz([1.0, 1.0, 1.0]).round(4).tolist()
     [0.2105, 0.3158]
     """
-    xyz = as_numpy(xyz).astype(np.float64)
-    x, y, z = (xyz[..., k] for k in range(3))
+    each = with_last_axis(numbers(as_numpy(xyz), "xyz"), 3, "xyz")
+    x, y, z = (each[..., k] for k in range(3))
     total = x + 15 * y + 3 * z
     usable = np.where(total > 0, total, np.nan)
     return np.stack([4 * x / usable, 6 * y / usable], axis=-1)
@@ -97,6 +99,7 @@ def _nearest(uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return mired, np.where(above, 1.0, -1.0) * np.linalg.norm(offset, axis=-1)
 
 
+@keeps_labels("K", xyz=1)
 def colour_temperature(xyz: ArrayLike) -> np.ndarray:
     """Correlated colour temperature of XYZ (..., 3), K, shape (...,).
 
@@ -116,6 +119,7 @@ def colour_temperature(xyz: ArrayLike) -> np.ndarray:
     return result
 
 
+@keeps_labels(xyz=1)
 def duv(xyz: ArrayLike) -> np.ndarray:
     """Distance of XYZ (..., 3) from the Planckian locus in CIE 1960 u, v, shape (...,); positive above it (greenish).
 

@@ -3,7 +3,17 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, settled
+from skydome.ground.arguments import with_last_axis
+from skydome.ground.arrays import (
+    Array,
+    at_least,
+    constant,
+    floating,
+    limited,
+    namespace,
+    safe_divide,
+    settled,
+)
 from skydome.ground.tables import columns
 from skydome.light.spectrum import checked_wavelengths, interpolated, xyz_weights
 
@@ -51,7 +61,7 @@ def daylight_spectrum(xyz: Array, wavelengths: Array) -> Array:
     >>> (100 * d65 / d65[1]).round(1).tolist()
     [117.9, 100.0, 80.4]
     """
-    xyz = floating(xyz)
+    xyz = with_last_axis(xyz, 3, "xyz")
     table = columns("preetham_1999_table_2")["wavelength_nm"]
     (relative, _), (whole, row) = daylight_weights(wavelengths), daylight_weights(table)
     xp = namespace(xyz)

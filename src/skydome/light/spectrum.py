@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, settled
 from skydome.ground.limits.ranges import Sampled
 from skydome.ground.tables import columns
@@ -27,7 +28,7 @@ class Spectrum(Sampled):
 
     def __post_init__(self) -> None:
         wavelengths = checked_wavelengths(self.wavelengths)
-        values = np.array(self.values, dtype=np.float64)
+        values = numbers(self.values, "values")
         if values.ndim == 0 or values.shape[-1] != wavelengths.size:
             raise ValueError(f"values must have shape (..., {wavelengths.size}), one a wavelength, got {values.shape}")
         if not np.isfinite(values).all():
@@ -44,12 +45,12 @@ class Spectrum(Sampled):
 
     def at(self, wavelengths: ArrayLike) -> np.ndarray:
         """Values at `wavelengths` (V,), nm: linear between the samples, the end values held outside; shape (..., V)."""
-        return interpolated(np.asarray(wavelengths, dtype=np.float64), self.wavelengths, self.values)
+        return interpolated(numbers(wavelengths, "wavelengths"), self.wavelengths, self.values)
 
 
 def checked_wavelengths(wavelengths: ArrayLike) -> np.ndarray:
     """`wavelengths` as a new float64 array (W,), nm; ValueError unless positive, finite and increasing."""
-    w = np.array(wavelengths, dtype=np.float64, ndmin=1)
+    w = np.atleast_1d(numbers(wavelengths, "wavelengths"))
     if w.ndim != 1 or w.size == 0:
         raise ValueError(f"wavelengths must have shape (W,) with W >= 1, got {w.shape}")
     if not np.isfinite(w).all() or (w <= 0).any():
@@ -77,7 +78,7 @@ def cie_1931(wavelengths: ArrayLike) -> np.ndarray:
     >>> cie_1931([555, 900]).round(6).tolist()
     [[0.51205, 1.0, 0.00575], [0.0, 0.0, 0.0]]
     """
-    w = np.asarray(wavelengths, dtype=np.float64)
+    w = numbers(wavelengths, "wavelengths")
     table = columns("cie_1931_2deg")
     return np.stack([np.interp(w, table["wavelength_nm"], table[k], left=0, right=0) for k in "xyz"], axis=-1)
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from skydome.ground import png
 from skydome.ground.directions import ZENITH, checked_directions, checked_turn
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import FINITE, require, require_one
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.files import save
 from skydome.maps.integrals import cosine_integral, light_vector
@@ -69,8 +70,8 @@ class EnvironmentMap(MapPixels):
 
         An equirectangular map keeps its pixels: only its left edge is renamed. Others are looked up anew.
         """
-        if not math.isfinite(angle):
-            raise ValueError(f"the angle to turn a map by must be finite radians, got {angle}")
+        require("the angle to turn a map by", angle, FINITE)
+        require_one("the angle to turn a map by", angle)
         checked_turn(angle, "the angle to turn a map by")
         if isinstance(self.projection, Equirectangular):
             left = math.fmod(self.projection.azimuth_left + angle, 2 * math.pi)

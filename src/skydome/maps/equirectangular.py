@@ -3,16 +3,18 @@
 import math
 from abc import abstractmethod
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.directions import checked_turn
+from skydome.ground.limits.ranges import FINITE, Bounded, Range
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, within
 
 
 @dataclass(frozen=True)
-class LatitudeLongitude(Projection):
+class LatitudeLongitude(Projection, Bounded):
     """What latitude-longitude maps of any shape share: row 0 touches the zenith, the last row the nadir.
 
     Texel centres u = (i + .5) / W, v = (j + .5) / H (the upper half is the sky's), azimuth =
@@ -21,10 +23,10 @@ class LatitudeLongitude(Projection):
 
     azimuth_left: float = 0.0
     mirrored: bool = False
+    bounds: ClassVar = {"azimuth_left": FINITE}
 
     def __post_init__(self) -> None:
-        if not math.isfinite(self.azimuth_left):
-            raise ValueError(f"azimuth_left must be finite radians, got {self.azimuth_left}")
+        self.require_bounds()
         checked_turn(self.azimuth_left, "azimuth_left")
 
     @abstractmethod
@@ -119,10 +121,7 @@ class EquirectangularOfWidth(LatitudeLongitude):
     """
 
     width: int = field(kw_only=True)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        checked_height(self.width, 1, 1, "a row of texels")
+    bounds: ClassVar = {"width": Range(1, 1 << 24, "texels")}
 
     def shape(self, height: int) -> tuple[int, int]:
         """Rows and columns (height, width)."""

@@ -10,9 +10,10 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from skydome.ground import exr, hdr, png
-from skydome.ground.tone import Curve
+from skydome.ground.arguments import require_path
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.gamut import within_gamut
+from skydome.light.tone import Curve
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
 from skydome.maps.preview import preview
@@ -54,7 +55,7 @@ def save(
     `gamut="none"` writes them as they are (.hdr then cuts at 0). Targets that read one space get it. .png: a preview
     with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size.
     """
-    suffix = Path(path).suffix.lower()
+    suffix = require_path(path, "a map").suffix.lower()
     layout = None if target is None else target_named(target)
     require_choices(path, half, white_luminance, exposure, gamut)
     if layout is not None or height is not None:

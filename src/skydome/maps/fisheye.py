@@ -3,11 +3,12 @@
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.limits.ranges import Bounded, Range
 from skydome.maps.projection import ALL_ROWS, Projection, Texels, checked_height, texel_centre, within
 
 
@@ -62,7 +63,7 @@ class Equisolid(Lens):
 
 
 @dataclass(frozen=True)
-class Fisheye(Projection):
+class Fisheye(Projection, Bounded):
     """A disc looking up, as a person lying on the back sees the sky: north at the top, east at the left.
 
     `coverage` is the whole angle seen, radians: pi for the sky, 2 pi for the sphere. The texels whose centre lies in
@@ -75,10 +76,11 @@ class Fisheye(Projection):
 
     coverage: float = math.pi
     lens: Lens = field(default_factory=Equidistant)
+    bounds: ClassVar = {"coverage": Range(1e-3, 2 * math.pi, "radians")}
+    kinds: ClassVar = {"lens": (Lens, "Equidistant()")}
 
     def __post_init__(self) -> None:
-        if not 0 < self.coverage <= 2 * math.pi:
-            raise ValueError(f"coverage must lie in (0, 2 pi] radians, got {self.coverage}")
+        self.require_bounds()
 
     @property
     def rim(self) -> float:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground import exr, hdr
+from skydome.ground.arguments import require_path
 from skydome.ground.limits.ranges import LIGHT, Range, require
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps import projections
@@ -39,7 +40,7 @@ def load(path: str | PathLike[str], target: str | None = None, projection: Proje
     ...     load(f"{folder}/sky.exr").projection == sd.target("skylibs").projection
     True
     """
-    suffix = Path(path).suffix.lower()
+    suffix = require_path(path, "a map").suffix.lower()
     if target is not None:
         target_named(target)
     if suffix not in READERS:

@@ -28,8 +28,14 @@ class MapPixels(Bounded):
     metadata: Mapping[str, Any] = field(default_factory=dict)
     white_luminance: float = 1.0
     bounds: ClassVar = {"white_luminance": WHITE}
+    kinds: ClassVar = {
+        "projection": (Projection, "Equirectangular()"),
+        "space": (RGBSpace, "SRGB"),
+        "metadata": (Mapping, '{"title": "noon"}'),
+    }
 
     def __post_init__(self) -> None:
+        self.require_bounds()
         pixels = np.asarray(self.pixels)
         if pixels.dtype not in (np.float32, np.float64):
             raise TypeError(f"pixels must be float32 or float64, got {pixels.dtype}")
@@ -37,7 +43,6 @@ class MapPixels(Bounded):
             raise ValueError(
                 f"pixels must have shape (rows, columns, 3) as {self.projection} has it, got {pixels.shape}"
             )
-        self.require_bounds()
 
     @property
     def height(self) -> int:

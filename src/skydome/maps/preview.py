@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from skydome.ground.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.light.colour import SRGB, encode_srgb
+from skydome.light.tone import Curve, Filmic, auto_exposure, tone_mapped
 from skydome.maps.pixels import MapPixels
 
 

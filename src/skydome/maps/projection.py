@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, brief
 
 ALL_ROWS = slice(None)
 Texels = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -107,7 +107,7 @@ def checked_height(height: int, multiple: int, least: int, what: str) -> int:
     """`height` as an int; ValueError unless it is a whole multiple of `multiple` and not below `least`."""
     if isinstance(height, bool) or not isinstance(height, int | np.integer) or height < least or height % multiple:
         rule = f"a multiple of {multiple}" if multiple > 1 else "a whole number"
-        raise ValueError(f"height of {what} must be {rule} and at least {least}, got {height!r}")
+        raise ValueError(f"height of {what} must be {rule} and at least {least}, got {brief(height, typed=False)}")
     return int(height)
 
 

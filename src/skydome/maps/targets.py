@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from skydome.ground.arguments import require_word
 from skydome.light.colour import RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Fisheye, Projection
 
@@ -82,7 +83,5 @@ def target(name: str) -> Target:
     >>> target("pbrt").projection
     EqualAreaSquare()
     """
-    for entry in TARGETS:
-        if entry.name == name:
-            return entry
-    raise ValueError(f"target must be one of {', '.join(entry.name for entry in TARGETS)}, got {name!r}")
+    known = {entry.name: entry for entry in TARGETS}
+    return known[require_word(name, known, "target")]

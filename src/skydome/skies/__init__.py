@@ -4,6 +4,7 @@
 - colour_sky         The rungs above, skies whose colour is known, and their spectrum
 - blend              Skies between clear and overcast
 - validity           The parameters of a model: their ranges as data, what to do outside them, how they are told
+- labelled           Light with labels (pandas, xarray): where a sky's parameters or the directions have them
 - uniform            Skies without a sun: the uniform sky and Moon and Spencer's overcast sky
 - cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
 - perez              The Perez sky from five letters

@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant, namespace, settled
+from skydome.ground.arrays import Array, brief, constant, namespace, settled
 from skydome.ground.limits.ranges import Range
 from skydome.ground.tables import columns
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
@@ -19,7 +19,7 @@ def letters_of(kind: Any) -> np.ndarray:
     """The letters a, b, c, d, e and C = 1 - c exp(d pi / 2) of CIE types 1 to 15, shape (6, ...) for `kind` (...,)."""
     kinds = np.asarray(kind)
     if kinds.dtype.kind not in "iu" or kinds.min() < 1 or kinds.max() > 15:
-        raise ValueError(f"type must be an integer from 1 to 15, got {kind}")
+        raise ValueError(f"type must be an integer from 1 to 15, got {brief(kind, typed=False)}")
     table = columns("cie_s011")
     a, b, c, d, e = (table[letter][kinds - 1] for letter in "abcde")
     return np.stack([a, b, c, d, e, 1 - c * np.exp(d * np.pi / 2)])

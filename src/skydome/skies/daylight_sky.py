@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, at_least, constant, namespace, safe_divide
 from skydome.ground.limits.ranges import SHARE
 from skydome.light.colour import D65, SRGB, Chromaticity, RGBSpace, rgb_from_xyz, xyz_from_xyY
@@ -14,10 +15,19 @@ from skydome.skies.formula.fast import Light
 from skydome.skies.sky import Sky, SunlitSky
 
 
+def require_pair(chromaticity: Any) -> Chromaticity:
+    """The chromaticity's x and y; ValueError unless it is two numbers."""
+    pair = numbers(chromaticity, "chromaticity")
+    if pair.shape != (2,):
+        raise ValueError(f"chromaticity must be two numbers (x, y), as (0.3127, 0.329), got shape {pair.shape}")
+    return float(pair[0]), float(pair[1])
+
+
 class DressedSky(ColourSky):
     """A sky that knows luminance only, held as `sky`, with colour given to it: all but the colour is its own."""
 
     sky: Sky
+    kinds: ClassVar = {"sky": (Sky, "MoonSpencer(zenith_luminance=9000.0)")}
 
     @property
     def is_day(self) -> Array:
@@ -70,9 +80,7 @@ class Daylight(DressedSky, SpectralSky):
 
     def __post_init__(self) -> None:
         """Validate only."""
-        if len(self.chromaticity) != 2 or any(np.ndim(value) for value in self.chromaticity):
-            raise ValueError("chromaticity must be two numbers (x, y), as (0.3127, 0.329), got arrays or another count")
-        x, y = self.chromaticity
+        x, y = require_pair(self.chromaticity)
         if not (0 < x < 1 and 0 < y < 1 and x + y <= 1):
             raise ValueError(f"chromaticity must be (x, y) inside the CIE diagram, got {self.chromaticity}")
         super().__post_init__()
@@ -132,6 +140,7 @@ class ColourOf(DressedSky):
 
     sky: Sky
     like: ColourSky
+    kinds: ClassVar = DressedSky.kinds | {"like": (ColourSky, "Preetham(sun, turbidity=3.0)")}
     source: ClassVar[str] = "its sky's luminance; its other sky's chromaticity"
 
     def xyz(self, directions: Array) -> Array:

@@ -15,6 +15,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO
+from skydome.ground.arguments import numbers, require_kind
 from skydome.ground.arrays import Array, constant, floating, limited, namespace, settled
 from skydome.ground.directions import elevation
 from skydome.ground.interpolation import weights
@@ -64,7 +65,7 @@ def published(form: str) -> np.ndarray:
 @settled
 def band_weights(wavelengths: Any, bands: np.ndarray = BANDS) -> np.ndarray:
     """Linear interpolation from bands (B,) to wavelengths (W,) nm among them, matrix (B, W); ValueError outside."""
-    wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    wavelengths = np.atleast_1d(numbers(wavelengths, "wavelengths"))
     if not wavelengths.size:
         raise ValueError("wavelengths must be one or more, got none")
     require("wavelengths", wavelengths, Range(float(bands[0]), float(bands[-1]), "nm"))
@@ -137,6 +138,7 @@ class HosekWilkie(HosekWilkieForm, SpectralSky):
     def own(self) -> SkyTables | None:
         """The tables of one's own, read from their file; None for the authors'."""
         given = self.tables
+        require_kind(given, SkyTables | str | PathLike | None, "tables", "a SkyTables or its file")
         return given if given is None or isinstance(given, SkyTables) else SkyTables.load(given)
 
     @property

@@ -8,10 +8,11 @@ sun within 3 degrees of the zenith | as it is in "paper"; at 87 degrees in "gend
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, get_args
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind, require_word
 from skydome.ground.arrays import (
     Array,
     at_least,
@@ -78,8 +79,8 @@ class PerezAllWeather(LuminanceFormulaSky):
 
     def require_level(self) -> None:
         """ValueError for two levels, or for limits that nobody has."""
-        if self.compat not in ("paper", "gendaylit"):
-            raise ValueError(f'compat must be "paper" or "gendaylit", got {self.compat!r}')
+        require_word(self.compat, get_args(Compat), "compat")
+        require_kind(self.smooth, bool, "smooth", "True")
         if self.zenith_luminance is not None or self.illuminance is not None:
             require_one_level("PerezAllWeather", self.zenith_luminance, self.illuminance)
 

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.directions import elevation, zenith_angle
 from skydome.ground.files.reading import decoding, json_in
@@ -159,7 +160,10 @@ class Preetham(ColourFormulaSky, SpectralSky):
     @property
     def used(self) -> PreethamNumbers:
         """The model's numbers: those given, or those printed."""
-        return PreethamNumbers.PRINTED if self.numbers is None else self.numbers
+        if self.numbers is None:
+            return PreethamNumbers.PRINTED
+        require_kind(self.numbers, PreethamNumbers, "numbers", "PreethamNumbers.AUTHORS")
+        return self.numbers
 
     @property
     def limits(self) -> dict[str, Range]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from skydome.ground.arguments import numbers, require_kind
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import checked_directions
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
@@ -46,8 +47,9 @@ def luminance_series(sky: Sky, directions: Array, out: np.ndarray | None = None)
     >>> luminance_series(sky, [sd.ZENITH, sd.NORTH]).shape
     (3, 2)
     """
+    require_kind(sky, Sky, "sky", "Preetham(sun, turbidity=3.0)")
     if not isinstance(sky, FormulaSky):
-        light = as_numpy(sky.luminance(np.asarray(as_numpy(directions), dtype=np.float64)))
+        light = as_numpy(sky.luminance(numbers(as_numpy(directions), "directions")))
         if out is None:
             return np.asarray(light, dtype=np.float32)
         checked_out(out, light.shape)[...] = light

@@ -16,12 +16,13 @@ from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import WEIGHT, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
-from skydome.skies.validity import Ranged, is_one
+from skydome.skies.labelled import LabelledLight
+from skydome.skies.validity import is_one
 from skydome.sun.day import is_day
 
 
 @dataclass(frozen=True, eq=False)
-class Sky(Ranged, Shown, ABC):
+class Sky(LabelledLight, Shown, ABC):
     """A sky whose luminance is known: the first rung.
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
@@ -118,6 +119,7 @@ class SunlitSky(Sky):
     """A sky with a sun toward `sun`, (..., 3): dark where that has set."""
 
     sun: Array
+    directions_held: ClassVar[tuple[str, ...]] = ("sun",)
 
     def __post_init__(self) -> None:
         """Validate only."""
@@ -176,10 +178,8 @@ class Combination(Sky):
         """The members with their weights, flat, as single-member combinations where a weight is not 1."""
         if len(self.members) == 1 and len(self.members[0].parts) == 1:
             return (self,)
-        flat: list[Sky] = []
-        for sky, weight in zip(self.members, self.weights, strict=True):
-            flat += [part if is_one(weight) else combine((part,), (weight,)) for part in sky.parts]
-        return tuple(flat)
+        pairs = [(part, w) for sky, w in zip(self.members, self.weights, strict=True) for part in sky.parts]
+        return tuple(part if is_one(weight) else combine((part,), (weight,)) for part, weight in pairs)
 
     @property
     def for_maps(self) -> Sky:

@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Literal, cast
 
 import numpy as np
 
+from skydome.ground.arguments import require_word
 from skydome.ground.arrays import Array, as_numpy, floating, is_array, limited, namespace
 from skydome.ground.files.contents import hash_of, same
 from skydome.ground.limits.ranges import FINITE, Bounded, Range, inside, numbers_of, require
@@ -25,9 +26,7 @@ def applied(value: Any, interval: Range, check: Check, like: Any = None) -> Arra
 
 def require_check(check: str) -> Check:
     """`check` itself; ValueError unless it is one of the three policies."""
-    if check not in CHECKS:
-        raise ValueError(f'check must be one of "raise", "clamp", "nan", got {check!r}')
-    return cast(Check, check)
+    return cast(Check, require_word(check, CHECKS, "check"))
 
 
 def has_library(value: Any) -> bool:

@@ -1,4 +1,7 @@
-"""The events of one day, sunrise, noon, sunset and the three twilights, as roots of SPA's elevation."""
+"""The events of days, sunrise, noon, sunset and the three twilights, as roots of SPA's elevation.
+
+One day or several together: each look at the sun costs more than the instants in it.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -28,89 +31,106 @@ EVENTS = {
 DAY, STEP = 86400.0, 600.0
 """Seconds: of a day, and between the samples that bracket the roots."""
 
-Curve = Callable[[np.ndarray], np.ndarray]
-"""A function of seconds, any shape, with values of that shape."""
+Curve = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""A function of the day's number (N,) and of seconds (N, ...), with values of the seconds' shape."""
 
 
 def day_events(
-    place: Place, start: np.datetime64, end: np.datetime64
-) -> tuple[np.datetime64, float, dict[str, np.datetime64]]:
-    """Noon of the day between two instants, the elevation then, and the instants of `EVENTS`; NaT for none."""
-    noon = transit(place, start, end)
+    place: Place, starts: np.ndarray, ends: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, dict[str, np.ndarray]]:
+    """Noons of days between instants (D,), the elevations then, the instants of `EVENTS`, each (D,); NaT for none."""
+    noons = transits(place, starts, ends)
+    days = np.arange(noons.size)
 
-    def elevation(seconds: np.ndarray) -> np.ndarray:
-        return sun_angles(place, later(noon, seconds))[1]
+    def elevation(rows: np.ndarray, seconds: np.ndarray) -> np.ndarray:
+        return sun_angles(place, later(noons[rows, None], seconds))[1]
 
-    seconds, values = sampled(elevation)
-    found = {name: bracket(values, level, rises) for name, (level, rises) in EVENTS.items()}
-    lefts = np.array([index for index in found.values() if index is not None], dtype=np.intp)
-    levels = np.array([EVENTS[name][0] for name, index in found.items() if index is not None])
-    roots = iter(later(noon, roots_of(elevation, seconds[lefts], seconds[lefts + 1], levels)))
-    times = {name: np.datetime64("NaT") if index is None else next(roots) for name, index in found.items()}
-    return noon, float(elevation(np.zeros(()))), times
+    seconds, values = sampled(elevation, days)
+    times = {name: np.full(noons.size, np.datetime64("NaT", "us")) for name in EVENTS}
+    found = [brackets(values, *event) for event in EVENTS.values()]
+    rows, index = np.concatenate([r for r, _ in found]), np.concatenate([k for _, k in found])
+    levels = np.repeat([level for level, _ in EVENTS.values()], [r.size for r, _ in found])
+    roots = roots_of(elevation, rows, seconds[rows, index], seconds[rows, index + 1], levels)
+    instants = later(noons[rows], roots)
+    for name, (own, _), part in zip(EVENTS, found, parts_of(instants, found), strict=True):
+        times[name][own] = part
+    return noons, elevation(days, np.zeros((noons.size, 1)))[:, 0], times
 
 
-def later(instant: np.datetime64, seconds: ArrayLike) -> Any:
-    """The instant(s) `seconds` after one, datetime64[us], in the shape of `seconds`."""
+def parts_of(values: np.ndarray, found: list[tuple[np.ndarray, np.ndarray]]) -> list[np.ndarray]:
+    """The values of each event's days, of those of all events in a row."""
+    return np.split(values, np.cumsum([rows.size for rows, _ in found])[:-1])
+
+
+def later(instant: Any, seconds: ArrayLike) -> Any:
+    """The instant(s) `seconds` after one or more, datetime64[us], in the shape of both."""
     return instant + np.rint(np.asarray(seconds) * 1e6).astype("timedelta64[us]")
 
 
-def transit(place: Place, start: np.datetime64, end: np.datetime64) -> np.datetime64:
-    """The transit (sun from east to west) between start and end, or else the nearest to their middle."""
+def transits(place: Place, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """Each day's transit (sun from east to west) between its start and end, or else the nearest to their middle."""
 
-    def westward(seconds: np.ndarray) -> np.ndarray:
-        sine: np.ndarray = np.sin(sun_angles(place, later(start, seconds))[0])
+    def westward(rows: np.ndarray, seconds: np.ndarray) -> np.ndarray:
+        sine: np.ndarray = np.sin(sun_angles(place, later(starts[rows, None], seconds))[0])
         return -sine
 
-    length = float((end - start) / np.timedelta64(1, "s"))
-    seconds = length / 2 + np.arange(-0.75 * DAY, 0.75 * DAY + STEP, STEP)
-    west = westward(seconds) >= 0
-    lefts = np.flatnonzero(~west[:-1] & west[1:])
-    transits = roots_of(westward, seconds[lefts], seconds[lefts + 1], np.zeros(lefts.size))
-    outside = np.where((transits >= 0) & (transits < length), 0.0, 2 * DAY)
-    noon: np.datetime64 = later(start, transits[np.argmin(outside + np.abs(transits - length / 2))])
-    return noon
+    lengths = (ends - starts) / np.timedelta64(1, "s")
+    seconds = lengths[:, None] / 2 + np.arange(-0.75 * DAY, 0.75 * DAY + STEP, STEP)
+    west = westward(np.arange(starts.size), seconds) >= 0
+    rows, lefts = np.nonzero(~west[:, :-1] & west[:, 1:])
+    found = roots_of(westward, rows, seconds[rows, lefts], seconds[rows, lefts + 1], np.zeros(rows.size))
+    from_middle = np.abs(found - lengths[rows] / 2)
+    from_middle += np.where((found >= 0) & (found < lengths[rows]), 0.0, 2 * DAY)
+    order = np.lexsort((from_middle, rows))
+    return np.asarray(later(starts, found[order][np.searchsorted(rows[order], np.arange(starts.size))]))
 
 
-def sampled(curve: Curve) -> tuple[np.ndarray, np.ndarray]:
-    """Seconds within half a day of noon and the curve there, its highest and lowest points among them.
+def sampled(curve: Curve, days: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Seconds (D, S) within half a day of noon and the curve there, its highest and lowest points among them.
 
     Between these the curve has no turn, so that not even a sun that only grazes a level is missed.
     """
-    seconds = np.linspace(-DAY / 2, DAY / 2, int(DAY / STEP) + 1)
-    values = curve(seconds)
-    turns = np.array([turn(curve, seconds, values, sign) for sign in (1, -1)])
-    every = np.concatenate([seconds, turns])
-    order = np.argsort(every)
-    return every[order], np.concatenate([values, curve(turns)])[order]
+    seconds = np.tile(np.linspace(-DAY / 2, DAY / 2, int(DAY / STEP) + 1), (days.size, 1))
+    values = curve(days, seconds)
+    turns = np.stack([turn(curve, days, seconds, values, sign) for sign in (1, -1)], axis=-1)
+    every, heights = np.hstack([seconds, turns]), np.hstack([values, curve(days, turns)])
+    order = np.argsort(every, axis=-1)
+    return np.take_along_axis(every, order, -1), np.take_along_axis(heights, order, -1)
 
 
-def turn(curve: Curve, seconds: np.ndarray, values: np.ndarray, sign: int) -> float:
-    """Where the curve is highest (sign 1) or lowest (-1), within about a second, from samples of it."""
+def turn(curve: Curve, days: np.ndarray, seconds: np.ndarray, values: np.ndarray, sign: int) -> np.ndarray:
+    """Where the curve is highest (sign 1) or lowest (-1), within about a second, (D,), from samples (D, S) of it."""
     for _ in range(2):
-        top = int(np.argmax(sign * values))
-        seconds = np.linspace(seconds[max(top - 1, 0)], seconds[min(top + 1, seconds.size - 1)], 41)
-        values = curve(seconds)
-    return float(seconds[np.argmax(sign * values)])
+        top = np.argmax(sign * values, axis=-1)
+        left, right = np.maximum(top - 1, 0), np.minimum(top + 1, seconds.shape[1] - 1)
+        seconds = np.linspace(seconds[days, left], seconds[days, right], 41, axis=-1)
+        values = curve(days, seconds)
+    return np.asarray(seconds[days, np.argmax(sign * values, axis=-1)])
 
 
-def bracket(values: np.ndarray, level: float, rises: bool) -> int | None:
-    """Index of the sample before the first rise, or the last fall, through the level; None without one."""
-    above = values >= level
-    crossed = np.flatnonzero(~above[:-1] & above[1:] if rises else above[:-1] & ~above[1:])
-    return None if crossed.size == 0 else int(crossed[0 if rises else -1])
+def brackets(values: np.ndarray, level: float, rises: bool) -> tuple[np.ndarray, np.ndarray]:
+    """The days (N,) that have samples (D, S) on both sides of the level, and the index of the last one before (N,).
 
-
-def roots_of(curve: Curve, left: np.ndarray, right: np.ndarray, level: np.ndarray) -> np.ndarray:
-    """Seconds (N,) at which the curve crosses the levels (N,) between left and right (N,), to 1/27,648 of their gap.
-
-    Three times a bracket is cut in 24 and the piece with the change of side is kept; last, its middle.
+    Before the first rise through the level, or the last fall.
     """
-    rows = np.arange(left.size)
-    for _ in range(3):
-        grid = np.linspace(left, right, 25, axis=-1)
-        above = curve(grid) >= level[:, None]
-        piece = np.maximum(np.argmax(above != above[:, :1], axis=-1), 1)
-        left, right = grid[rows, piece - 1], grid[rows, piece]
+    above = values >= level
+    crossed = ~above[:, :-1] & above[:, 1:] if rises else above[:, :-1] & ~above[:, 1:]
+    days = np.flatnonzero(crossed.any(axis=1))
+    last = crossed.shape[1] - 1
+    return days, crossed[days].argmax(axis=1) if rises else last - crossed[days, ::-1].argmax(axis=1)
+
+
+def roots_of(curve: Curve, rows: np.ndarray, left: np.ndarray, right: np.ndarray, level: np.ndarray) -> np.ndarray:
+    """Seconds (N,) at which the curve of a day crosses the levels (N,) between left and right, to 1/29,282 of the gap.
+
+    Four times a bracket is cut in 11 and the piece with the change of side is kept; last, its middle.
+    """
+    every, height = np.arange(left.size), level[:, None]
+    before = curve(rows, left[:, None]) >= height
+    for _ in range(4):
+        grid = np.linspace(left, right, 12, axis=-1)
+        changed = (curve(rows, grid[:, 1:-1]) >= height) != before
+        piece = np.where(changed.any(axis=1), changed.argmax(axis=1), 10)
+        left, right = grid[every, piece], grid[every, piece + 1]
     middle: np.ndarray = (left + right) / 2
     return middle

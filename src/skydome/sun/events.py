@@ -111,8 +111,10 @@ def sun_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> SunE
     Place.required(place)
     clock = UTC if zone is None else as_zone(zone)
     if np.ndim(day) == 0:
-        noon, high, found = day_events(place, *day_bounds(place, calendar_date(day), zone))
-        return SunEvents(noon, high, **{k: None if np.isnat(v) else v for k, v in found.items()}, zone=clock)
+        start, end = day_bounds(place, calendar_date(day), zone)
+        noon, high, found = day_events(place, np.array([start]), np.array([end]))
+        one = {name: None if np.isnat(instant[0]) else instant[0] for name, instant in found.items()}
+        return SunEvents(noon[0], float(high[0]), **one, zone=clock)
     if np.ndim(day) != 1:
         raise ValueError(f"days must be one or a row of them, (N,), got shape {np.shape(day)}")
     bounds = [day_bounds(place, calendar_date(one), zone) for one in days_of(day)]

@@ -1,19 +1,21 @@
 """The events of many days at once: found on the interpolated course of the sun, then on SPA's elevation itself.
 
-Days on which the sun turns close to a level, at the edge of polar day and night, are looked at one by one
+Days on which the sun turns close to a level, at the edge of polar day and night, are looked at closely
 (`day_events`), since the interpolation, good to 0.004 degrees, could miss a sun that only grazes it.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 
 from skydome.ground.units import deg
-from skydome.sun.day_events import DAY, EVENTS, Curve, day_events, later
+from skydome.sun.day_events import DAY, EVENTS, brackets, day_events, later, parts_of
 from skydome.sun.place import Place
 from skydome.sun.position import local_axes, sun_direction
 from skydome.sun.track import SunTrack
 
 STEP, NEAR_A_TURN = 1200.0, 0.08 * deg
-"""Seconds between samples of a day; days whose highest or lowest one is as near to a level are looked at one by one.
+"""Seconds between samples of a day; days whose highest or lowest one is as near to a level are looked at closely.
 
 Samples miss a turn by 0.055 degrees at most.
 """
@@ -25,6 +27,9 @@ WELL, MOST_LOOKS = 0.5, 5
 """Seconds of a step from which on a root of SPA's elevation is looked at again, and the looks at most."""
 
 EPOCH = np.datetime64(0, "us")
+
+Course = Callable[[np.ndarray], np.ndarray]
+"""The sine of the sun's elevation by seconds since 1970, any shape."""
 
 
 def many_days(
@@ -44,32 +49,22 @@ def many_days(
     seconds = (noon - EPOCH).astype(np.float64) / 1e6
     offsets = np.linspace(-DAY / 2, DAY / 2, int(DAY / STEP) + 1)
     values = height(seconds[:, None] + offsets)
-    rows, levels, times = [], [], []
-    for level, rises in EVENTS.values():
-        above = values >= np.sin(level)
-        crossed = ~above[:, :-1] & above[:, 1:] if rises else above[:, :-1] & ~above[:, 1:]
-        last = crossed.shape[1] - 1
-        index = np.where(
-            crossed.any(axis=1), crossed.argmax(axis=1) if rises else last - crossed[:, ::-1].argmax(1), -1
-        )
-        found = np.flatnonzero(index >= 0)
-        rows.append(found)
-        levels.append(np.full(found.size, level))
-        times.append(seconds[found] + offsets[index[found]])
-    every = np.concatenate(levels)
-    roots = on_elevation(place, height, on_course(height, np.concatenate(times), every), every)
+    found = [brackets(values, np.sin(level), rises) for level, rises in EVENTS.values()]
+    rows, index = np.concatenate([r for r, _ in found]), np.concatenate([k for _, k in found])
+    levels = np.repeat([level for level, _ in EVENTS.values()], [r.size for r, _ in found])
+    times = seconds[rows] + offsets[index]
+    roots = later(EPOCH, on_elevation(place, height, on_course(height, times, levels), levels))
     instants = {name: np.full(noon.size, np.datetime64("NaT", "us")) for name in EVENTS}
-    for name, found, part in zip(
-        EVENTS, rows, np.split(roots, np.cumsum([row.size for row in rows])[:-1]), strict=True
-    ):
-        instants[name][found] = later(EPOCH, part)
+    for name, (own, _), part in zip(EVENTS, found, parts_of(roots, found), strict=True):
+        instants[name][own] = part
     at_noon = np.arcsin(sun_direction(place, noon)[..., 2])
     turns = np.arcsin(np.clip([values.max(axis=1), values.min(axis=1)], -1, 1))
     near = np.min([np.abs(turns - level).min(axis=0) for level, _ in EVENTS.values()], axis=0) < NEAR_A_TURN
-    for day in np.flatnonzero(near):
-        noon[day], at_noon[day], one = day_events(place, starts[day], ends[day])
-        for name, instant in one.items():
-            instants[name][day] = instant
+    close = np.flatnonzero(near)
+    if close.size:
+        noon[close], at_noon[close], closely = day_events(place, starts[close], ends[close])
+        for name, instant in closely.items():
+            instants[name][close] = instant
     return noon, at_noon, instants
 
 
@@ -88,7 +83,7 @@ def after_transit(place: Place, toward: np.ndarray) -> np.ndarray:
     return np.asarray(np.arctan2(-toward[..., 0], level) * (DAY / (2 * np.pi)))
 
 
-def on_course(height: Curve, left: np.ndarray, levels: np.ndarray) -> np.ndarray:
+def on_course(height: Course, left: np.ndarray, levels: np.ndarray) -> np.ndarray:
     """Seconds (K,) within `STEP` of `left` at which the interpolated course crosses the levels, by false position.
 
     The weight of an end that stays twice is halved (Illinois).
@@ -108,7 +103,7 @@ def on_course(height: Curve, left: np.ndarray, levels: np.ndarray) -> np.ndarray
     return np.asarray(middle)
 
 
-def on_elevation(place: Place, height: Curve, seconds: np.ndarray, levels: np.ndarray) -> np.ndarray:
+def on_elevation(place: Place, height: Course, seconds: np.ndarray, levels: np.ndarray) -> np.ndarray:
     """The same seconds moved onto the roots of SPA's elevation, by its course's slope."""
     seconds, sines = seconds.copy(), np.sin(levels)
     moving = np.arange(seconds.size)

@@ -39,6 +39,7 @@ class Place(Bounded):
         >>> Place.parse("45.07,7.69,240")
         Place(latitude=45.07, longitude=7.69, altitude=240.0)
         """
+        require_kind(text, str, "place", "45.07,7.69,240")
         try:
             numbers = [float(part) for part in text.split(",")]
         except ValueError:

@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import azimuth, direction, elevation
+from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg
 from skydome.sun.geocentric import distances, earth_fixed
 from skydome.sun.place import Place
@@ -23,6 +25,7 @@ SOLAR_RADIUS_AT_1_AU = 959.63 / 3600 * deg
 """Angular radius of the sun's disc at 1 AU, radians (959.63 arcsec; Auwers 1891, used by the almanacs)."""
 
 
+@keeps_labels(last=(COMPONENTS,), time=0)
 def sun_direction(
     place: Place, time: Times, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
 ) -> np.ndarray:
@@ -42,12 +45,14 @@ def sun_direction(
     [-0.3472, -0.3204, 0.8814]
     """
     Place.required(place)
+    require_kind(refraction, bool, "refraction", "True")
     toward = topocentric(place, checked_years(instants(time)))
     if refraction:
         return _as_seen(toward, standard_pressure(place.altitude) if pressure is None else pressure, temperature)
     return toward
 
 
+@keeps_labels("rad", time=0)
 def sun_angles(
     place: Place, time: Times, refraction: bool = False, pressure: float | None = None, temperature: float = 12.0
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -89,6 +94,7 @@ def _as_seen(toward: np.ndarray, pressure: float, temperature: float) -> np.ndar
     return seen
 
 
+@keeps_labels("AU", time=0)
 def earth_sun_distance(time: Times) -> np.ndarray:
     """Distance between the centres of the earth and the sun, AU, shape (...,), by VSOP87.
 

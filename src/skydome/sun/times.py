@@ -10,6 +10,9 @@ from zoneinfo import ZoneInfo, available_timezones
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import brief
+
 Times: TypeAlias = datetime | Sequence[datetime] | ArrayLike
 """One time or many: aware datetimes, ISO 8601 strings with a zone, datetime64 (UTC), pandas timestamps and indexes."""
 
@@ -45,9 +48,7 @@ def instants(time: Times, zone: str | tzinfo | None = None) -> np.ndarray:
     if array.dtype.kind == "M":
         return _known(array)
     if array.dtype.kind not in "OU" or (array.ndim == 0 and not isinstance(array.item(), str | datetime)):
-        raise TypeError(
-            f"time must be a datetime, an ISO 8601 string or datetime64, got {type(time).__name__} {time!r}"
-        )
+        raise TypeError(f"time must be a datetime, an ISO 8601 string or datetime64, got {brief(time)}")
     flat = np.array([instants(item, zone) for item in array.ravel()], dtype="datetime64[us]")
     return flat.reshape(array.shape)
 
@@ -73,6 +74,7 @@ def as_zone(zone: str | tzinfo) -> tzinfo:
     """The time zone of an IANA name; ValueError with the nearest known names where there is none."""
     if isinstance(zone, tzinfo):
         return zone
+    require_kind(zone, str, "zone", "Europe/Rome")
     try:
         return ZoneInfo(zone)
     except (KeyError, ValueError, OSError):

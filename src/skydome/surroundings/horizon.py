@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arguments import require_file
+from skydome.ground.arguments import numbers, require_file
 from skydome.ground.arrays import Array
-from skydome.ground.directions import azimuth, checked_turn, elevation, in_degrees
-from skydome.ground.units import EARTH_RADIUS
+from skydome.ground.directions import azimuth, checked_turn, elevation
+from skydome.ground.units import EARTH_RADIUS, in_degrees
 from skydome.surroundings.intervals import GROUND, SKY, Surroundings
 
 HILLS = 0
@@ -34,7 +34,7 @@ class Horizon(Surroundings):
     elevations: Any
 
     def __post_init__(self) -> None:
-        turn, height = (np.atleast_1d(np.asarray(part, dtype=np.float64)) for part in (self.azimuths, self.elevations))
+        turn, height = (np.atleast_1d(numbers(part, name)) for name, part in vars(self).items())
         if turn.ndim != 1 or turn.shape != height.shape or turn.size == 0:
             raise ValueError(f"azimuths and elevations must have one shape (K,), got {turn.shape} and {height.shape}")
         if not (np.isfinite(turn).all() and np.isfinite(height).all()):

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_array, projected
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
@@ -233,6 +234,6 @@ def channelled(value: Any, light: LightKind, faces: int | None = None) -> np.nda
 
 def check_shares(name: str, value: Any, most: float = 1.0) -> None:
     """ValueError unless every reflectance lies in [0, 1], or in [0, 1) with `most` below 1."""
-    numbers = value.values if isinstance(value, Spectrum) else np.asarray(value, dtype=np.float64)
-    if not ((numbers >= 0) & (numbers <= most)).all():
+    shares = value.values if isinstance(value, Spectrum) else numbers(value, name)
+    if not ((shares >= 0) & (shares <= most)).all():
         raise ValueError(f"{name} must lie in [0, 1{']' if most == 1 else ')'}, got {value}")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arguments import require_file
+from skydome.ground.arguments import numbers, require_file
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.light.spectrum import Spectrum
@@ -54,7 +54,7 @@ class MeshScene(Scene):
     casts: Any = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        vertices, faces = np.asarray(self.vertices, dtype=np.float64), np.asarray(self.faces)
+        vertices, faces = numbers(self.vertices, "vertices"), np.asarray(self.faces)
         if vertices.ndim != 2 or vertices.shape[1] != 3 or faces.ndim != 2 or faces.shape[1] != 3 or not len(faces):
             raise ValueError(
                 f"vertices must be (V, 3) and faces (N, 3), N >= 1, got {vertices.shape} and {faces.shape}"

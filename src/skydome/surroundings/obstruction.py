@@ -197,6 +197,8 @@ def obstructed_illuminance(
     >>> obstructed_illuminance(blue, sd.Horizon.level(0.5), light=sd.LightInRGB()).total.shape
     (3,)
     """
+    require_kind(light, LightKind, "light", "LightInXYZ()")
+    require_kind(luminances, dict | None, "luminances", "{0: 500.0}")
     require_kind(surroundings, Surroundings, "surroundings", "Horizon.level(30 * deg)")
     check_shares("albedo", albedo)
     return PlaneView.of(surroundings, normal, bands).receive(sky, luminances, albedo, light)

@@ -63,10 +63,10 @@ def examples():
     from skydome.eye.point_spread import CIETotal, Spencer, StilesHolladay
     from skydome.eye.streaks import Needles
     from skydome.eye.view import Camera
-    from skydome.ground.tone import Reinhard
     from skydome.haze.aerial_perspective import AirLight
     from skydome.haze.published import AdaptiveQuadrature
     from skydome.land.elevation import Elevation
+    from skydome.light.tone import Reinhard
     from skydome.maps.environment_map import EnvironmentMap
     from skydome.maps.projections import Fisheye
     from skydome.own_air.grid import Grid

@@ -15,7 +15,6 @@ from skydome.years.skies.dome_means import PerezSkies, by_numpy, dome_means, sam
 from skydome.years.skies.perez_year import perez_year
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS, counts
-from skydome.years.weather.frame import from_frame
 from skydome.years.weather.reading import read_weather
 
 
@@ -102,13 +101,13 @@ def test_choices_differ_and_keep_the_level(greensboro, plain):
 def test_smooth_has_no_jump_at_the_edge_of_a_bin(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.frame import from_frame
-
     times = pd.date_range("2026-06-21T17:00", periods=1, freq="h", tz="UTC")
 
     def zenith_luminance(direct, smooth):
         frame = pd.DataFrame({"dni": direct, "dhi": 200.0}, index=times)
-        return float(year(from_frame(frame, greensboro.place, label="middle"), smooth=smooth).luminance[0, -1])
+        return float(
+            year(sd.Weather.from_frame(frame, greensboro.place, label="middle"), smooth=smooth).luminance[0, -1]
+        )
 
     steps = np.linspace(50, 150, 41)
     rough, fine = (np.array([zenith_luminance(direct, smooth) for direct in steps]) for smooth in (False, True))
@@ -139,12 +138,10 @@ def test_nothing_is_black_or_missing_in_silence(greensboro):
 def test_a_leap_day_and_a_polar_night_pass(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.frame import from_frame
-
     times = pd.date_range("2028-02-28", periods=72, freq="h", tz="UTC")
     frame = pd.DataFrame({"dni": 100.0, "dhi": 50.0}, index=times)
     with pytest.warns(UserWarning, match="while the sun is down"):
-        data = year(from_frame(frame, sd.Place(70.0, 20.0)))
+        data = year(sd.Weather.from_frame(frame, sd.Place(70.0, 20.0)))
     assert (data.status.values[data.sun_elevation.values < -2] & BITS["light_at_night"]).all()
 
 
@@ -253,6 +250,8 @@ def test_a_frame_is_taken_with_its_place():
     times = pd.date_range("2026-06-21T06:00", periods=6, freq="h", tz="UTC")
     frame = pd.DataFrame({"dni": 600.0, "dhi": 110.0}, index=times)
     place = sd.Place(45.07, 7.69)
-    np.testing.assert_array_equal(year(frame, place=place).luminance, year(from_frame(frame, place)).luminance)
+    np.testing.assert_array_equal(
+        year(frame, place=place).luminance, year(sd.Weather.from_frame(frame, place)).luminance
+    )
     with pytest.raises(ValueError, match="tells of no place"):
         year(frame)

@@ -8,6 +8,7 @@ import numpy as np
 import pvlib
 import pytest
 
+import skydome as sd
 from skydome.light.decomposition import NAME, erbs
 from skydome.sun.place import Place
 from skydome.years.skies.series import year
@@ -245,12 +246,12 @@ def test_global_irradiance_alone_is_split_as_pvlib_splits_it(greensboro, tmp_pat
     """Erbs on each: the diffuse part within 1 % of pvlib's of the same suns, in the sum 0.3 %."""
     import pandas as pd
 
-    from skydome.years.weather.frame import from_frame
-
     sun = lit_sun(greensboro)
     times = pd.DatetimeIndex(greensboro.end).tz_localize("UTC")
     with pytest.warns(UserWarning, match=r"no direct and diffuse irradiance: found from the global one \(Erbs"):
-        weather = from_frame(pd.DataFrame({"ghi": greensboro.global_horizontal}, index=times), greensboro.place)
+        weather = sd.Weather.from_frame(
+            pd.DataFrame({"ghi": greensboro.global_horizontal}, index=times), greensboro.place
+        )
     assert weather.decomposition == NAME
     high = (sun.directions[:, 2] > 0.1) & (greensboro.global_horizontal > 20)
     zenith = np.degrees(np.arccos(sun.directions[:, 2]))
@@ -268,12 +269,10 @@ def test_global_irradiance_alone_is_split_as_pvlib_splits_it(greensboro, tmp_pat
 def test_one_missing_column_is_found_by_closure(greensboro):
     import pandas as pd
 
-    from skydome.years.weather.frame import from_frame
-
     times = pd.DatetimeIndex(greensboro.end).tz_localize("UTC")
     columns = {"ghi": greensboro.global_horizontal, "dhi": greensboro.diffuse_horizontal}
     with pytest.warns(UserWarning, match="no direct irradiance: found from the global one"):
-        weather = from_frame(pd.DataFrame(columns, index=times), greensboro.place)
+        weather = sd.Weather.from_frame(pd.DataFrame(columns, index=times), greensboro.place)
     high = (lit_sun(greensboro).directions[:, 2] > 0.2) & (greensboro.direct_normal > 50)
     assert np.median(np.abs(weather.direct_normal[high] / greensboro.direct_normal[high] - 1)) < 0.01
 

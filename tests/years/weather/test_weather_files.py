@@ -11,7 +11,6 @@ import skydome as sd
 from skydome.sun.track import SunTrack
 from skydome.years.skies.series import year
 from skydome.years.skies.status import BITS
-from skydome.years.weather.frame import from_frame
 from skydome.years.weather.plausibility import share_at_night, warn_of_wrong_place
 from skydome.years.weather.reading import read_weather
 from skydome.years.weather.sun_of_interval import crossing, lit_sun
@@ -72,7 +71,7 @@ def test_the_sun_is_taken_at_the_middle_of_the_lit_part(greensboro):
 
 def test_a_polar_year_has_whole_days_and_nights():
     times = pd.date_range("2026-01-01", periods=8760, freq="h", tz="UTC")
-    weather = from_frame(pd.DataFrame({"dni": 0.0, "dhi": 0.0}, index=times), sd.Place(80.0, 20.0))
+    weather = sd.Weather.from_frame(pd.DataFrame({"dni": 0.0, "dhi": 0.0}, index=times), sd.Place(80.0, 20.0))
     lit = lit_sun(weather).lit
     assert (lit[times.month == 6] == 1).all()
     assert (lit[times.month == 12] == 0).all()
@@ -81,18 +80,20 @@ def test_a_polar_year_has_whole_days_and_nights():
 def test_frames_at_any_step_and_label(greensboro):
     times = pd.date_range("2026-06-21T00:00", periods=96, freq="15min", tz="America/New_York")
     frame = pd.DataFrame({"beam": 500.0, "dhi": 100.0}, index=times)
-    ends = from_frame(frame, greensboro.place, direct_normal="beam")
-    starts = from_frame(frame, greensboro.place, direct_normal="beam", label="start")
+    ends = sd.Weather.from_frame(frame, greensboro.place, direct_normal="beam")
+    starts = sd.Weather.from_frame(frame, greensboro.place, direct_normal="beam", label="start")
     assert (starts.middle - ends.middle == np.timedelta64(900, "s")).all()
-    assert str(from_frame(frame, greensboro.place, "beam", label="instant").middle[0]) == "2026-06-21T04:00:00"
+    assert (
+        str(sd.Weather.from_frame(frame, greensboro.place, "beam", label="instant").middle[0]) == "2026-06-21T04:00:00"
+    )
     with pytest.raises(ValueError, match="no column for direct_normal"):
-        from_frame(frame, greensboro.place)
+        sd.Weather.from_frame(frame, greensboro.place)
     with pytest.raises(ValueError, match="a time needs its zone"):
-        from_frame(frame.tz_localize(None), greensboro.place, "beam")
+        sd.Weather.from_frame(frame.tz_localize(None), greensboro.place, "beam")
     with pytest.raises(ValueError, match="must hold numbers"):
-        from_frame(frame.assign(beam="much"), greensboro.place, "beam")
+        sd.Weather.from_frame(frame.assign(beam="much"), greensboro.place, "beam")
     with pytest.raises(ValueError, match="label must be"):
-        from_frame(frame, greensboro.place, "beam", label="left")
+        sd.Weather.from_frame(frame, greensboro.place, "beam", label="left")
 
 
 def test_sub_hourly_epw(tmp_path, make_epw):

@@ -117,8 +117,8 @@ def save_seen(path: Path, seen: "Seen", view: "Camera", exposure: float | None) 
     import numpy as np
 
     from skydome.ground import exr, png
-    from skydome.ground.tone import Filmic, auto_exposure, tone_mapped
     from skydome.light.colour import SRGB, encode_srgb
+    from skydome.light.tone import Filmic, auto_exposure, tone_mapped
     from skydome.maps.files import light_unit
 
     if path.suffix.lower() == ".exr":

@@ -11,9 +11,9 @@ from skydome.dome.render import render
 from skydome.export.scenes.formats import scene_format
 from skydome.export.scenes.scene import SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp
-from skydome.ground.tone import auto_exposure
 from skydome.ground.writing import appearing, require_place
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.light.tone import auto_exposure
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.files import Gamut, file_white, require_choices, space_in_file
 from skydome.skies.colour_sky import ColourSky

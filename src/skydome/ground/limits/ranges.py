@@ -2,11 +2,13 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Any, ClassVar, NamedTuple
+from dataclasses import fields
+from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from skydome.ground.arrays import Array, as_numpy, floating, is_compiling, is_concrete
+from skydome.ground.arguments import Kind, require_kind
+from skydome.ground.arrays import Array, as_numpy, brief, floating, is_compiling, is_concrete
 
 
 class Range(NamedTuple):
@@ -67,7 +69,10 @@ def require(name: str, value: Any, interval: Range) -> None:
     """
     if is_compiling():
         return
-    value = floating(numbers_of(value))
+    try:
+        value = floating(numbers_of(value))
+    except TypeError:
+        raise TypeError(f"{name} must be a number in {interval}, or an array of such, got {brief(value)}") from None
     if not is_concrete(value):
         return
     numbers = as_numpy(value)
@@ -77,6 +82,23 @@ def require(name: str, value: Any, interval: Range) -> None:
         raise ValueError(f"{name} must lie in {interval}, got {first:g}")
 
 
+def require_one(name: str, value: Any, whole: bool = False) -> None:
+    """TypeError unless a number stands alone, and is a whole one where asked for; None passes.
+
+    >>> require_one("age", [30.0, 40.0])
+    Traceback (most recent call last):
+    TypeError: age must be one number, got list [30.0, 40.0]
+    """
+    if value is None or not is_concrete(value):
+        return
+    if np.ndim(as_numpy(value)) or (whole and value != int(value)):
+        raise TypeError(f"{name} must be one {'whole ' if whole else ''}number, got {brief(value)}")
+
+
+ONE_NUMBER = (float, float | None, int, int | None)
+"""The types of fields that hold one number alone, whole ones last."""
+
+
 class Bounded:
     """A dataclass whose numbers have `bounds`: beyond them they mean nothing, whatever else is asked for.
 
@@ -84,6 +106,8 @@ class Bounded:
     """
 
     bounds: ClassVar[Mapping[str, Range]] = {}
+    kinds: ClassVar[Mapping[str, tuple[Kind, str]]] = {}
+    """The kinds of the fields that are no numbers, each with an example for messages."""
 
     @classmethod
     def all_bounds(cls) -> dict[str, Range]:
@@ -94,8 +118,14 @@ class Bounded:
         return found
 
     def require_bounds(self) -> None:
-        """ValueError in one line for the first number that lies beyond its bounds."""
+        """ValueError in one line for the first number beyond its bounds, TypeError for a field of a wrong kind."""
+        for name, (kind, example) in self.kinds.items():
+            require_kind(getattr(self, name), kind, name, example)
+        types = {item.name: item.type for item in fields(cast(Any, self))}
         for name, interval in self.all_bounds().items():
             value = getattr(self, name)
-            if value is not None:
+            if value is not None or types.get(name) in (float, int):
                 require(name, value, interval)
+        for item in fields(cast(Any, self)):
+            if item.type in ONE_NUMBER and item.name in self.all_bounds():
+                require_one(item.name, getattr(self, item.name), whole=item.type in ONE_NUMBER[2:])

@@ -158,6 +158,7 @@ class ColourFormulaSky(FormulaSky, ColourSky):
 
     def rgb_recipe(self, space: RGBSpace = SRGB) -> Recipe:
         """What linear RGB is made of."""
+        RGBSpace.required(space)
         coefficients, quantity = self.xyz_recipe()
         return coefficients, quantity.then(space.from_xyz)
 

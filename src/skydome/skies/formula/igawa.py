@@ -51,6 +51,7 @@ class Igawa(LuminanceFormulaSky):
         "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
         "extraterrestrial_irradiance": Range(1.0, 2000.0, "W m-2"),
+        "dew_point": Range(-90.0, 60.0, "degrees C"),
     }
     source: ClassVar[str] = "Igawa 2014, Solar Energy 105; Igawa et al. 2004; efficacies Perez et al. 1990"
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, at_least, constant, floating, is_numpy, namespace, safe_divide
 from skydome.ground.directions import elevation, zenith_angle
+from skydome.ground.labels import keeps_labels
 from skydome.ground.quadrature import half_hemisphere_about
 from skydome.skies.formula.perez_formula import COSINE_FLOOR, R, evaluate, from_perez, horizontal_integral
 
@@ -96,6 +97,7 @@ def bounded(light: Array) -> Array:
     return (light > 0) & (light < float("inf"))
 
 
+@keeps_labels("cd m-2", sun=1, turbidity=0)
 def clear_zenith_luminance(sun: Array, turbidity: ArrayLike = 2.45) -> Array:
     """Zenith luminance of a clear sky, cd m-2: 1000 ((1.376 T - 1.81) tan(elevation) + 0.38).
 
@@ -124,6 +126,7 @@ def zenith_share(sun_zenith: Array) -> Array:
     return (zenith / horizontal_integral(shape, sun_zenith))[..., 0]
 
 
+@keeps_labels("cd m-2", sun=1)
 def overcast_zenith_luminance(sun: Array) -> Array:
     """Zenith luminance of an overcast sky, cd m-2: 1000 (8.6 sin(elevation) + 0.123), the formula of `gensky`.
 

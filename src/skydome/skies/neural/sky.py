@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy, limited, namespace, settled
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, require
@@ -136,7 +137,7 @@ class NeuralSpectralSky(NeuralForm, SpectralSky):
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); ValueError outside the bands."""
-        wavelengths = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        wavelengths = np.atleast_1d(numbers(wavelengths, "wavelengths"))
         require("wavelengths", wavelengths, Range(self.bands[0], self.bands[-1], "nm"))
         light = self.outputs(directions)
         return light @ constant(Spectrum(self.bands, np.eye(self.bands.size)).at(wavelengths), light)

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -18,6 +18,7 @@ class AtmosphereSky(SunlitSky, SpectralSky):
     """The sky of an `atmosphere` under a sun: what discrete ordinates, Nishita's integrals and path tracing solve."""
 
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
+    kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
 
     @property
     def albedo(self) -> Any:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions, elevation
 from skydome.ground.units import deg
@@ -26,7 +27,7 @@ def physical_sky(
     >>> type(sd.physical_sky(high)).__name__, type(sd.physical_sky(low)).__name__
     ('DiscreteOrdinates', 'PathTraced')
     """
-    sun = checked_directions(np.asarray(sun, dtype=np.float64), "sun")
+    sun = checked_directions(numbers(sun, "sun"), "sun")
     air = Atmosphere.standard() if atmosphere is None else atmosphere
     heights = np.asarray(elevation(sun))
     if (heights >= TRACED_BELOW - 1e-12).all():

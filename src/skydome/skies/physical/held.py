@@ -13,6 +13,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions, direction, zenith_angle
@@ -149,6 +150,7 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     >>> bool(abs(held(sky).luminance(sd.ZENITH) / sky.luminance(sd.ZENITH) - 1) < 0.002)
     True
     """
+    require_kind(sky, AtmosphereSky, "sky", "DiscreteOrdinates(sun, Atmosphere.standard())")
     air, sun = sky.atmosphere, np.asarray(sky.sun, dtype=np.float64)
     if sun.shape != (3,):
         raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")

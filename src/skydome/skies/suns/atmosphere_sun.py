@@ -7,6 +7,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Molecules
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, at_least
 from skydome.ground.limits.ranges import Range
 from skydome.skies.suns.sun_disc import MEAN_RADIUS, SunDisc, limb_mean
@@ -30,6 +31,7 @@ class AtmosphereSun(SunDisc):
     turbidity: Any = field(default=property(lambda self: turbidity_of(self.atmosphere)), init=False)
     angular_radius: Any = field(default=MEAN_RADIUS, kw_only=True)
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
+    kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
     ranges: ClassVar = {"angular_radius": Range(1e-5, 0.1, "rad")}
     source: ClassVar[str] = "the atmosphere's sunlight and depths; limb darkening of Hosek and Wilkie 2013"
 
@@ -42,6 +44,7 @@ class AtmosphereSun(SunDisc):
 
 def turbidity_of(atmosphere: Atmosphere) -> float | None:
     """Scattering at 550 nm by all constituents over that by molecules (Preetham 1999, 2.2); None without molecules."""
+    require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.from_turbidity(3.0)")
     parts = [(part, float((part.depth([550.0]) * part.scattered([550.0]))[0])) for part in atmosphere.constituents]
     molecules = sum(depth for part, depth in parts if isinstance(part, Molecules))
     return sum(depth for _, depth in parts) / molecules if molecules > 0 else None

@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import (
     Array,
     at_least,
@@ -122,6 +123,7 @@ class SunDisc(SunlitSky, SpectralSky):
         """
         if angular_radius is None and time is not None:
             angular_radius = solar_radius(time)
+        require_kind(sky, Sky, "sky", "HosekWilkie(sun, turbidity=3.0)")
         for part in sky.parts:
             if (lit := part.sunlit) is None:
                 continue
@@ -201,7 +203,7 @@ class SunDisc(SunlitSky, SpectralSky):
     def illuminance(self, normal: Array) -> Array:
         """Illuminance on planes with unit normals (..., 3), lx, shape (...,): the whole disc while its centre is up."""
         xp = namespace(self.sun, normal)
-        cosine = xp.sum(floating(normal) * floating(self.sun), axis=-1)
+        cosine = xp.sum(checked_directions(normal, "normal") * floating(self.sun), axis=-1)
         return self.normal_xyz[..., 1] * at_least(cosine, 0.0)
 
     def mu(self, directions: Array) -> tuple[Array, Array]:

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from skydome.ground.directions import checked_turn, direction, in_degrees
-from skydome.ground.units import deg
+from skydome.ground.directions import checked_turn, direction
+from skydome.ground.units import deg, in_degrees
 from skydome.surroundings.intervals import Open, Surroundings
 
 SOUTH = 180 * deg

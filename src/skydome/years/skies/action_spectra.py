@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import numbers
 from skydome.ground.interpolation import weights
 from skydome.light.spectrum import checked_wavelengths
 
@@ -50,7 +51,7 @@ def pigment_absorbance(wavelengths: Any, peak: float) -> np.ndarray:
 
     Govardovskii et al. 2000, Visual Neuroscience 17, 509-528: eq. 1-2 (alpha band), 4, 5a, 5b (beta band).
     """
-    w = np.asarray(wavelengths, dtype=np.float64)
+    w = numbers(wavelengths, "wavelengths")
     x, a = peak / w, 0.8795 + 0.0459 * np.exp(-((peak - 300) ** 2) / 11940)
     alpha = 1 / (np.exp(69.7 * (a - x)) + np.exp(28 * (0.922 - x)) + np.exp(-14.9 * (1.104 - x)) + 0.674)
     beta = 0.26 * np.exp(-(((w - (189 + 0.315 * peak)) / (-40.5 + 0.195 * peak)) ** 2))
@@ -65,7 +66,7 @@ def ocular_density(wavelengths: Any, age: float) -> np.ndarray:
     old lens; constants of CIE 203:2012 as Martin et al. (PySilSub, 2023) take them for melanopsin. Scattering of 0.15
     for 0.3, as others read that report, puts daylight's melanopic EDI 1 % off the CIE's table for 0.16 %.
     """
-    w, square = np.asarray(wavelengths, dtype=np.float64), age * age
+    w, square = numbers(wavelengths, "wavelengths"), age * age
     scattered = (0.3 + 0.000031 * square) * (400 / w) ** 4
     tryptophan = 14.19 * 10.68 * np.exp(-((0.057 * (w - 273)) ** 2))
     young = (1.05 - 0.000063 * square) * 2.13 * np.exp(-((0.029 * (w - 370)) ** 2))
@@ -89,7 +90,7 @@ def melanopic_sensitivity(wavelengths: Any) -> np.ndarray:
         return light
 
     peak = float(absorbed(np.arange(480.0, 501.0)).max())
-    return absorbed(np.asarray(wavelengths, dtype=np.float64)) / peak
+    return absorbed(numbers(wavelengths, "wavelengths")) / peak
 
 
 def melanopic_edi(irradiance: Any, wavelengths: Any) -> np.ndarray:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from skydome.dome.patches import Patches
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.arguments import require_word
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.limits.sizes import require_memory
@@ -20,7 +21,7 @@ from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
 from skydome.years.weather.calendar import Label
 from skydome.years.weather.closure import aligned, facts_of
-from skydome.years.weather.frame import from_frame, is_frame
+from skydome.years.weather.frame import is_frame
 from skydome.years.weather.plausibility import warn_of_wrong_place
 from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
@@ -51,17 +52,16 @@ def year(
 ) -> "xarray.Dataset":
     """The skies of a year: luminance (time, patch), cd m-2, float32, with sun, illuminances and status by the interval.
 
-    `weather` is a file that `read_weather` knows, a `Weather`, or a DataFrame of a `place` as `from_frame` takes it;
-    `label`, `shift` and `place` are as there. `time` is UTC,
-    `local_time` the site's standard time: `skies.groupby("local_time.month")`. Patches hold true means, levelled so
-    that together they give the diffuse illuminance: `luminance @ horizontal_solid_angle`. The sun is not in them: it
-    is `direct_normal_illuminance` from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and
-    1993, true sun), "gendaylit" (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends
-    neighbouring clearness bins (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz`
-    (time, patch, channel) and the diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time,
-    patch, wavelength), melanopic EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that
-    clear sky and of overcast light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1),
-    at Perez's luminance.
+    `weather` is a file that `read_weather` knows, a `Weather`, or a DataFrame of a `place` as `Weather.from_frame`
+    takes it; `label`, `shift` and `place` are as there. `time` is UTC, `local_time` the site's standard time:
+    `skies.groupby("local_time.month")`. Patches hold true means, levelled so that together they give the diffuse
+    illuminance: `luminance @ horizontal_solid_angle`. The sun is not in them: it is `direct_normal_illuminance`
+    from the sun's direction, in patch `sun_patch`. `compat`: "paper" (Perez 1990 and 1993, true sun), "gendaylit"
+    (its limits), "gendaymtx" (all of its rules; Reinhart's patches). `smooth` blends neighbouring clearness bins
+    (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz` (time, patch, channel) and the
+    diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch, wavelength), melanopic
+    EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky and of overcast
+    light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's luminance.
 
     >>> import pandas as pd, skydome as sd
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
@@ -73,8 +73,7 @@ def year(
     True
     """
     required("xarray", "year", "a year of skies")
-    if compat not in COMPATS:
-        raise ValueError(f"compat must be one of {', '.join(COMPATS)}, got {compat!r}")
+    require_word(compat, COMPATS, "compat")
     if isinstance(weather, Weather):
         weather = weather if label is None else weather.labelled(label)
         track = track or SunTrack.over(weather.start[0], weather.end[-1])
@@ -122,7 +121,7 @@ def read(
         return as_written(source, calendar_year, label, place)
     if place is None:
         raise ValueError("a DataFrame tells of no place: give place=sd.Place(latitude, longitude, altitude)")
-    return from_frame(source, place, label=label or "end")
+    return Weather.from_frame(source, place, label=label or "end")
 
 
 def smooth_luminance(sky: PerezYear, cut: Patches, out: np.ndarray) -> None:

@@ -1,15 +1,12 @@
-"""Weather in any DataFrame with a timezone-aware index."""
+"""What a DataFrame with a timezone-aware index says of the weather: its columns, intervals and standard time."""
 
 import sys
-from typing import TYPE_CHECKING, TypeGuard
+from typing import TYPE_CHECKING, NamedTuple, TypeGuard
 
 import numpy as np
 
-from skydome.sun.place import Place
 from skydome.sun.times import instants
 from skydome.years.weather.calendar import Label, check_label, interval, usual_step
-from skydome.years.weather.rows import completed
-from skydome.years.weather.weather import Weather
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,44 +17,42 @@ NAMES = {
     "dew_point": ("temp_dew", "dew_point", "DewPoint", "dew_point_temperature"),
     "global_horizontal": ("ghi", "global_horizontal", "global_horizontal_irradiance", "GHI"),
 }
-"""Column names that `from_frame` knows without being told."""
+"""Column names that `Weather.from_frame` knows without being told."""
 
 
-def from_frame(
-    frame: "pd.DataFrame",
-    place: Place,
-    direct_normal: str | None = None,
-    diffuse_horizontal: str | None = None,
-    dew_point: str | None = None,
-    label: Label = "end",
-    seconds: float | None = None,
-    global_horizontal: str | None = None,
-) -> Weather:
-    """The weather of a DataFrame with a timezone-aware index, at any step; columns by their names.
+class Told(NamedTuple):
+    """Start and end (T,), UTC datetime64[s], direct, diffuse and global irradiance, dew point (T,); hours from UTC."""
 
-    Columns left None are looked for by pvlib's names (dni, dhi, temp_dew, ghi). Without direct and diffuse irradiance
-    the global one is split (`light.decomposition`). `label` tells where the index stands in the interval, whose length
-    in `seconds` is, if None, the commonest step. No dew point: missing (11 degrees C).
+    start: np.ndarray
+    end: np.ndarray
+    direct_normal: np.ndarray
+    diffuse_horizontal: np.ndarray
+    dew_point: np.ndarray
+    global_horizontal: np.ndarray | None
+    utc_offset: float
 
-    >>> import pandas as pd
-    >>> times = pd.date_range("2026-06-21T12:00", periods=2, freq="15min", tz="Europe/Rome")
-    >>> frame = pd.DataFrame({"dni": [700.0, 710.0], "dhi": [110.0, 112.0]}, index=times)
-    >>> str(from_frame(frame, Place(45.07, 7.69), label="start").middle[0])
-    '2026-06-21T10:07:30'
+
+def told_by(frame: "pd.DataFrame", asked: dict[str, str | None], label: Label, seconds: float | None) -> Told:
+    """What the columns `asked` for by name (None: looked for by `NAMES`) and the index tell.
+
+    ValueError for a column that is not there, or holds words; TypeError for what is no DataFrame.
     """
+    if not is_frame(frame):
+        raise TypeError(f"frame must be a pandas DataFrame, got {type(frame).__name__}; files: sd.read_weather(path)")
     check_label(label)
     utc = instants(frame.index).astype("datetime64[s]")
-    asked = {"direct_normal": direct_normal, "diffuse_horizontal": diffuse_horizontal, "dew_point": dew_point}
-    asked["global_horizontal"] = global_horizontal
-    direct, diffuse, dew, whole = (column(frame, name, given) for name, given in asked.items())
-    if whole is None and (direct is None or diffuse is None):
-        missing = "direct_normal" if direct is None else "diffuse_horizontal"
-        raise ValueError(f"no column for {missing}: name it ({missing}=...), got {list(map(str, frame.columns))}")
+    found = {name: column(frame, name, given) for name, given in asked.items()}
+    lacking = [name for name in ("direct_normal", "diffuse_horizontal") if found[name] is None]
+    if found["global_horizontal"] is None and lacking:
+        raise ValueError(f"no column for {lacking[0]}: name it ({lacking[0]}=...), got {list(map(str, frame.columns))}")
     nothing = np.full(len(utc), np.nan)
-    direct, diffuse, dew = (nothing if values is None else values for values in (direct, diffuse, dew))
+    direct, diffuse, dew = (
+        nothing if (values := found[name]) is None else values
+        for name in ("direct_normal", "diffuse_horizontal", "dew_point")
+    )
     start, end = interval(utc, usual_step(utc) if seconds is None else seconds, label, 0.0)
     offset = standard_offset(frame.index[0]) if len(utc) else 0.0
-    return completed(Weather(place, start, end, direct, diffuse, dew, offset, "", label, global_horizontal=whole))
+    return Told(start, end, direct, diffuse, dew, found["global_horizontal"], offset)
 
 
 def is_frame(source: object) -> "TypeGuard[pd.DataFrame]":

@@ -3,23 +3,17 @@
 Every reader ends here, so that each of them has the same checks and says where a fault stands.
 """
 
-import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
-from skydome.light.decomposition import NAME, erbs
-from skydome.light.irradiance import GREATEST_IRRADIANCE, SENSOR_OFFSET, normal_from_horizontal, without_offsets
+from skydome.light.irradiance import GREATEST_IRRADIANCE, SENSOR_OFFSET
 from skydome.sun.place import Place
 from skydome.years.weather.calendar import Label, interval
-from skydome.years.weather.sun_of_interval import lit_sun
 from skydome.years.weather.text import Cells
 from skydome.years.weather.weather import Weather
-
-LOWEST_SUN = 0.0523
-"""Sine of 3 degrees: below, global irradiance is all diffuse, as pvlib takes it too."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +58,7 @@ def weather_from(
         site.place, start, end, direct, diffuse, np.where(dew_point >= 99.9, np.nan, dew_point), site.utc_offset,
         site.name or cells.name, label, global_horizontal=whole if (whole > 0).any() else None,
     )  # fmt: skip
-    return completed(weather)
+    return weather.completed()
 
 
 def require_increasing(cells: Cells, times: np.ndarray) -> None:
@@ -97,40 +91,3 @@ def require_possible(values: np.ndarray, where: Callable[[int], str]) -> None:
         raise ValueError(
             f"{where(k)}: must lie in [{SENSOR_OFFSET:g}, {GREATEST_IRRADIANCE:g}] W m-2, got {values[k]:g}"
         )
-
-
-def completed(weather: Weather) -> Weather:
-    """The weather with the irradiances that it lacks as a whole found from the global one, with a warning that says so.
-
-    One of direct and diffuse by closure, both by `light.decomposition.erbs`. A column of zeros under global light is
-    one that lacks. Single hours that are missing stay so.
-    """
-    whole = weather.global_horizontal
-    if whole is None:
-        return weather
-    no_direct, no_diffuse = (absent(value, whole) for value in (weather.direct_normal, weather.diffuse_horizontal))
-    if (no_direct and np.nansum(weather.diffuse_horizontal) >= np.nansum(whole)) or not (no_direct or no_diffuse):
-        return weather  # an overcast record is whole
-    sun = lit_sun(weather)
-    sine, light = sun.directions[:, 2] * sun.lit, without_offsets(whole)
-    if no_direct and no_diffuse:
-        diffuse, how = light * erbs(light, np.maximum(sine, LOWEST_SUN), sun.distances), NAME
-        diffuse = np.where(sine < LOWEST_SUN, light, diffuse)
-    elif no_direct:
-        diffuse, how = weather.diffuse_horizontal, "global less diffuse"
-    else:
-        diffuse, how = without_offsets(light - weather.direct_normal * np.maximum(sine, 0)), "global less direct"
-    direct = weather.direct_normal
-    if no_direct:
-        beam = without_offsets(light - diffuse)
-        direct = np.where(sine < LOWEST_SUN, 0.0, normal_from_horizontal(beam, np.maximum(sine, LOWEST_SUN)))
-        direct = np.minimum(direct, GREATEST_IRRADIANCE)
-    lacking = " and ".join(name for name, lacks in (("direct", no_direct), ("diffuse", no_diffuse)) if lacks)
-    warnings.warn(f"no {lacking} irradiance{weather.where}: found from the global one ({how})", stacklevel=3)
-    return replace(weather, direct_normal=direct, diffuse_horizontal=diffuse, decomposition=how)
-
-
-def absent(values: np.ndarray, whole: np.ndarray) -> bool:
-    """True where none of the values (T,) is known, or all are 0 though there is global light."""
-    known = values[~np.isnan(values)]
-    return known.size == 0 or (not (known > 0).any() and bool(np.nansum(whole) > 0))

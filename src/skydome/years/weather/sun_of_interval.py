@@ -1,16 +1,42 @@
-"""Where the sun stands for an interval of weather: at the middle of the part of it in which the sun is up."""
+"""Intervals of time at a place, and where the sun stands for each: at the middle of the part in which it is up."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from skydome.sun.day import is_day
 from skydome.sun.place import Place
 from skydome.sun.track import SunTrack
-from skydome.years.weather.weather import Weather
 
 HALF_A_SECOND, MOST_LOOKS = 1e-6, 40
 """Sine of the height within which the sun is on the horizon (0.5 s of its course near the pole circle), and a limit."""
+
+
+@dataclass(frozen=True, eq=False)
+class Intervals:
+    """T intervals at a place: `start` and `end` (T,) are UTC, datetime64[s], equal for instants.
+
+    >>> start = np.array(["2026-06-21T10"], dtype="datetime64[s]")
+    >>> hour = Intervals(Place(45.07, 7.69), start, start + np.timedelta64(3600, "s"))
+    >>> hour.count, hour.middle.tolist()[0].isoformat()
+    (1, '2026-06-21T10:30:00')
+    """
+
+    place: Place
+    start: np.ndarray
+    end: np.ndarray
+
+    @property
+    def count(self) -> int:
+        """How many intervals there are."""
+        return len(self.start)
+
+    @cached_property
+    def middle(self) -> np.ndarray:
+        """The middle of each interval, UTC, datetime64[s], (T,)."""
+        middle: np.ndarray = self.start + (self.end - self.start) // 2
+        return middle
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,26 +52,26 @@ class LitSun:
     distances: np.ndarray
 
 
-def lit_sun(weather: Weather, track: SunTrack | None = None) -> LitSun:
+def lit_sun(hours: Intervals, track: SunTrack | None = None) -> LitSun:
     """The true (airless) sun at the middle of the part of each interval in which its centre is above the horizon.
 
     An interval with no sun has `lit` 0 and the sun of its middle. Sunrise and sunset are found within a second. A sun
     that rises and sets, or sets and rises, within one interval is seen by its middle.
     """
-    track = track or SunTrack.over(weather.start[0], weather.end[-1])
-    start, end = (edge.astype("datetime64[s]").astype(np.float64) for edge in (weather.start, weather.end))
+    track = track or SunTrack.over(hours.start[0], hours.end[-1])
+    start, end = (edge.astype("datetime64[s]").astype(np.float64) for edge in (hours.start, hours.end))
     middle = (start + end) / 2
-    at_start, at_middle = (track.directions(weather.place, t) for t in (start, middle))
-    at_end = next_or_own(track, weather.place, start, end, at_start)
+    at_start, at_middle = (track.directions(hours.place, t) for t in (start, middle))
+    at_end = next_or_own(track, hours.place, start, end, at_start)
     up = [is_day(toward) for toward in (at_start, at_middle, at_end)]
-    early = crossings(track, weather.place, start, middle, up[:2])
-    late = crossings(track, weather.place, middle, end, up[1:])
+    early = crossings(track, hours.place, start, middle, up[:2])
+    late = crossings(track, hours.place, middle, end, up[1:])
     first = np.where(up[0], start, np.where(up[1], early, late))
     last = np.where(up[2], end, np.where(up[1], late, early))
     seen = up[0] | up[1] | up[2]
     seconds = np.where(seen, (first + last) / 2, middle)
     moved = np.flatnonzero(seconds != middle)
-    at_middle[moved] = track.directions(weather.place, seconds[moved])
+    at_middle[moved] = track.directions(hours.place, seconds[moved])
     share = np.where(end > start, (last - first) / np.maximum(end - start, 1.0), 1.0)
     times = np.rint(seconds).astype(np.int64).astype("datetime64[s]")
     return LitSun(at_middle, times, np.where(seen, share, 0.0), track.distances(seconds))

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from skydome.ground.arguments import require_file
+from skydome.ground.arguments import require_file, require_path
 
 LARGEST = 256 * 2**20
 """Bytes of text that are read, at most: a year of minutes has 80 MB."""
@@ -48,7 +48,7 @@ def text_of(path: "str | PathLike[str] | Text") -> Text:
     """
     if isinstance(path, Text):
         return path
-    name = os.path.basename(path)
+    name = require_path(path, "weather").name
     content = content_of(path)
     if len(content) > LARGEST:
         raise ValueError(f"{name}: a weather file may have {LARGEST // 2**20} MiB of text, got more")

@@ -1,7 +1,8 @@
 """Weather: a place, intervals of time and the irradiances measured in them."""
 
+import warnings
 from dataclasses import dataclass, replace
-from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,10 +10,16 @@ from numpy.typing import ArrayLike
 from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
 from skydome.years.weather.calendar import Label, check_label
+from skydome.years.weather.frame import told_by
+from skydome.years.weather.splitting import split
+from skydome.years.weather.sun_of_interval import Intervals
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True, eq=False)
-class Weather:
+class Weather(Intervals):
     """Irradiances of a place in T intervals of time.
 
     `start` and `end` (T,) are UTC, datetime64[s] (equal for instants); `direct_normal` and `diffuse_horizontal` (T,)
@@ -30,9 +37,6 @@ class Weather:
     (1, '2026-06-21T10:30:00')
     """
 
-    place: Place
-    start: np.ndarray
-    end: np.ndarray
     direct_normal: np.ndarray
     diffuse_horizontal: np.ndarray
     dew_point: np.ndarray
@@ -55,21 +59,51 @@ class Weather:
             row = int(np.flatnonzero(steps <= 0)[0]) + 2
             raise ValueError(f"times must increase, got a step back in row {row} of the data{self.where}")
 
+    @classmethod
+    def from_frame(
+        cls,
+        frame: "pd.DataFrame",
+        place: Place,
+        direct_normal: str | None = None,
+        diffuse_horizontal: str | None = None,
+        dew_point: str | None = None,
+        label: Label = "end",
+        seconds: float | None = None,
+        global_horizontal: str | None = None,
+    ) -> "Weather":
+        """The weather of a DataFrame with a timezone-aware index, at any step; columns by their names.
+
+        Columns left None are looked for by pvlib's names (dni, dhi, temp_dew, ghi). Without direct and diffuse
+        irradiance the global one is split (`light.decomposition`). `label` tells where the index stands in the
+        interval, whose length in `seconds` is, if None, the commonest step. No dew point: missing (11 degrees C).
+
+        >>> import pandas as pd
+        >>> times = pd.date_range("2026-06-21T12:00", periods=2, freq="15min", tz="Europe/Rome")
+        >>> frame = pd.DataFrame({"dni": [700.0, 710.0], "dhi": [110.0, 112.0]}, index=times)
+        >>> str(Weather.from_frame(frame, Place(45.07, 7.69), label="start").middle[0])
+        '2026-06-21T10:07:30'
+        """
+        Place.required(place)
+        asked = {"direct_normal": direct_normal, "diffuse_horizontal": diffuse_horizontal, "dew_point": dew_point}
+        told = told_by(frame, asked | {"global_horizontal": global_horizontal}, label, seconds)
+        parts = told.start, told.end, told.direct_normal, told.diffuse_horizontal, told.dew_point
+        whole = told.global_horizontal
+        return cls(place, *parts, told.utc_offset, label=label, global_horizontal=whole).completed()
+
+    def completed(self) -> "Weather":
+        """The same with what lacks as a whole found from the global irradiance, with a warning that says so."""
+        whole = self.global_horizontal
+        found = None if whole is None else split(self, self.direct_normal, self.diffuse_horizontal, whole)
+        if found is None:
+            return self
+        got = f"no {found.lacking} irradiance{self.where}: found from the global one ({found.how})"
+        warnings.warn(got, stacklevel=3)
+        return replace(self, direct_normal=found.direct, diffuse_horizontal=found.diffuse, decomposition=found.how)
+
     @property
     def where(self) -> str:
         """The name for messages."""
         return f" ({self.name})" if self.name else ""
-
-    @property
-    def count(self) -> int:
-        """How many intervals there are."""
-        return len(self.start)
-
-    @cached_property
-    def middle(self) -> np.ndarray:
-        """The middle of each interval, UTC, datetime64[s], (T,)."""
-        middle: np.ndarray = self.start + (self.end - self.start) // 2
-        return middle
 
     @property
     def local(self) -> np.ndarray:

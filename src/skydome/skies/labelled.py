@@ -1,0 +1,163 @@
+"""Light with labels: where a sky's parameters or the directions are labelled (pandas, xarray), its light is too."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import fields, replace
+from functools import wraps
+from inspect import signature
+from typing import Any, ClassVar, NamedTuple, TypeVar, cast
+
+import numpy as np
+
+from skydome.ground.arrays import is_compiling, is_labelled
+from skydome.ground.labels import Axis, Door
+from skydome.skies.validity import Ranged
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+Kind = TypeVar("Kind")
+
+
+class Answer(NamedTuple):
+    """What a method of the ladder answers: its unit, and its last axis, if it has one."""
+
+    unit: str
+    last: tuple[Axis, ...] = ()
+
+
+ANSWERS = {
+    "luminance": Answer("cd m-2"),
+    "xyz": Answer("cd m-2", (Axis("channel", ("X", "Y", "Z"), 3),)),
+    "rgb": Answer("cd m-2", (Axis("channel", ("red", "green", "blue"), 3),)),
+    "radiance": Answer("W m-2 sr-1 nm-1", (Axis("wavelength", None, 0),)),
+}
+"""The ladder's methods."""
+
+
+class LabelledLight(Ranged):
+    """A sky whose answers have the labels of what was given; every class of skies gets it by standing below this one.
+
+    >>> import pandas as pd, skydome as sd
+    >>> days = pd.Series([2.0, 5.0], index=["clear", "hazy"])
+    >>> sky = sd.HosekWilkie(sd.direction(2.0, 0.7), turbidity=days)
+    >>> (sky.luminance(sd.NORTH) / 1000).round(1).to_dict()
+    {'clear': 10.3, 'hazy': 7.5}
+    """
+
+    directions_held: ClassVar[tuple[str, ...]] = ()
+    """Names of the parameters that are directions, (..., 3)."""
+
+    def __init_subclass__(cls, **named: Any) -> None:
+        super().__init_subclass__(**named)
+        for name in ANSWERS.keys() & vars(cls).keys():
+            setattr(cls, name, with_labels(vars(cls)[name]))
+
+
+def with_labels(method: Callable[..., Any]) -> Callable[..., Any]:
+    """A method of the ladder that answers with labels where the sky or its arguments have some."""
+
+    @wraps(method)
+    def called(sky: Any, *arguments: Any, **named: Any) -> Any:
+        if is_compiling():
+            return method(sky, *arguments, **named)
+        given = [*labelled_parts(sky), *((value, 1) for value in (*arguments, *named.values()) if is_labelled(value))]
+        if not given:
+            return method(sky, *arguments, **named)
+        return answered(sky, method.__name__, given, arguments, named)
+
+    return called
+
+
+def answered(
+    sky: Any, name: str, given: list[tuple[Any, int]], arguments: tuple[Any, ...], named: dict[str, Any]
+) -> Any:
+    """The light of a sky and arguments of which some, `given`, are labelled."""
+    wavelengths = named.get("wavelengths", arguments[-1]) if name == "radiance" else None
+    door = Door.of((value, core) for value, core in given if value is not wavelengths)
+
+    def plain(value: Any) -> Any:
+        if not is_labelled(value):
+            return value
+        return np.asarray(value) if value is wavelengths else door.array(value, 1)
+
+    bare = changed(sky, lambda value, core: door.array(value, core) if is_labelled(value) else value)
+    light = getattr(bare, name)(*map(plain, arguments), **{key: plain(value) for key, value in named.items()})
+    unit, last = ANSWERS[name]
+    if wavelengths is not None:
+        last = wavelength_axis(wavelengths)
+    return door.labelled(light, last, name, unit)
+
+
+def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
+    """The labelled parameters of a sky, and how many of their last axes are not labels of the light."""
+    if isinstance(value, LabelledLight):
+        for name, part in vars(value).items():
+            yield from labelled_parts(part, int(name in value.directions_held))
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from labelled_parts(part, core)
+    elif is_labelled(value):
+        yield value, core
+
+
+def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Kind:
+    """A sky, or a parameter of one, with `change(array, core)` in place of its arrays; itself where nothing changes."""
+    result: Any
+    if isinstance(value, LabelledLight):
+        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}
+        new = {name: changed(old, change, int(name in value.directions_held)) for name, old in held.items()}
+        moved = {name: part for name, part in new.items() if part is not held[name]}
+        return cast(Kind, replace(value, **moved) if moved else value)
+    if isinstance(value, tuple | list):
+        parts = [changed(part, change, core) for part in value]
+        same = all(new is old for new, old in zip(parts, value, strict=True))
+        result = value if same else type(value)(parts)
+    else:
+        result = change(value, core)
+    return cast(Kind, result)
+
+
+def outer_labels(unit: str, last: tuple[Axis, ...] = ()) -> Callable[[Function], Function]:
+    """Decorate a function of a sky and normals: its answer has the sky's labels, then those of the normals.
+
+    Labelled parameters get an axis of 1 for the directions of the dome. Wavelengths, if asked for, come last.
+    """
+
+    def decorated(function: Function) -> Function:
+        names = list(signature(function).parameters)
+
+        @wraps(function)
+        def called(*arguments: Any, **named: Any) -> Any:
+            held = dict(zip(names, arguments, strict=False)) | named
+            normal, wavelengths = held.get("normal"), held.get("wavelengths")
+            given = list(labelled_parts(held.get("sky")))
+            normals = [(normal, 1)] if is_labelled(normal) else []
+            if is_compiling() or not (given or normals):
+                return function(*arguments, **named)
+            door, planes = Door.of(given), Door.of(normals)
+            Door.of(given + normals)
+
+            def on_dome(value: Any, core: int) -> Any:
+                return dome_axis(door.array(value, core), core) if is_labelled(value) else value
+
+            held["sky"] = changed(held["sky"], on_dome)
+            if normals:
+                held["normal"] = planes.array(normal, 1)
+            rest = planes.axes or tuple(
+                Axis("normal", None, length) for length in np.shape(() if normal is None else normal)[:-1]
+            )
+            ends = last if wavelengths is None else wavelength_axis(wavelengths)
+            joint = Door(door.axes + rest, door.named or planes.named)
+            return joint.labelled(function(**held), ends, function.__name__, unit)
+
+        return cast(Function, called)
+
+    return decorated
+
+
+def dome_axis(values: np.ndarray, core: int) -> np.ndarray:
+    """Parameters with an axis of 1 before their last `core` ones, for the directions of the dome."""
+    return np.expand_dims(values, values.ndim - core) if values.ndim > core else values
+
+
+def wavelength_axis(wavelengths: Any) -> tuple[Axis]:
+    """The last axis of spectra."""
+    return (Axis("wavelength", tuple(np.atleast_1d(wavelengths).tolist()), int(np.size(wavelengths))),)

@@ -1,0 +1,114 @@
+"""Labelled in, labelled out: pandas and xarray at the door of skies, integrals and directions."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+import skydome as sd
+from skydome.light.colour_temperature import colour_temperature
+
+TURIN = sd.Place(45.07, 7.69)
+HOURS = pd.date_range("2026-06-21T10:00", periods=3, freq="h", tz="Europe/Rome")
+SUNS = sd.sun_direction(TURIN, HOURS)
+VIEWS = sd.direction([0.0, 1.0, 2.0, 3.0], 0.5)
+SUN = sd.direction(2.0, 0.7)
+
+
+def same(labelled, plain, labels):
+    """A labelled answer holds the plain one's numbers under the labels."""
+    assert type(labelled).__name__ in ("Series", "DataFrame", "DataArray")
+    np.testing.assert_array_equal(labelled.to_numpy(), plain)
+    found = labelled.index if hasattr(labelled, "index") else labelled.indexes[labelled.dims[0]]
+    assert found.equals(labels)
+
+
+def test_hours_of_a_frame_give_its_hours():
+    frame = pd.DataFrame({"dni": [700.0, 710.0, 600.0], "dhi": [110.0, 112.0, 100.0]}, index=HOURS)
+    sky = sd.PerezAllWeather(SUNS, frame.dni, frame.dhi)
+    plain = sd.PerezAllWeather(SUNS, *frame.to_numpy().T)
+    same(sky.luminance(sd.ZENITH), plain.luminance(sd.ZENITH), HOURS)
+    assert sky.luminance(sd.ZENITH).name == "luminance"
+    dome = sd.PerezAllWeather(SUNS[:, None], *frame.to_numpy().T[..., None])
+    by_hour = sd.PerezAllWeather(pd.DataFrame(SUNS, HOURS), frame.dni, frame.dhi)
+    same(sd.illuminance(by_hour), sd.illuminance(dome), HOURS)
+    walls = sd.illuminance(by_hour, [sd.EAST, sd.WEST])
+    same(walls, sd.illuminance(dome, [sd.EAST, sd.WEST]), HOURS)
+    assert walls.shape == (3, 2)
+
+
+def test_answers_with_channels_and_wavelengths():
+    kinds = pd.Series([2.0, 5.0], index=pd.Index(["clear", "hazy"], name="day"))
+    sky, plain = sd.HosekWilkie(SUN, turbidity=kinds), sd.HosekWilkie(SUN, turbidity=[2.0, 5.0])
+    same(sky.xyz(sd.NORTH), plain.xyz(sd.NORTH), kinds.index)
+    assert list(sky.xyz(sd.NORTH).columns) == ["X", "Y", "Z"]
+    assert list(sky.rgb(sd.NORTH).columns) == ["red", "green", "blue"]
+    assert list(sky.radiance(sd.NORTH, [450, 550]).columns) == [450, 550]
+    assert list(sd.irradiance(sky, wavelengths=[450.0, 550.0]).columns) == [450, 550]
+    whole = sky + sd.SunDisc.of(sky)
+    same(sd.illuminance(whole), sd.illuminance(sd.HosekWilkie(SUN, [[2.0], [5.0]]) * 1.0)
+         + float(sd.illuminance(sd.SunDisc(SUN, 2.0))) * np.array([1.0, 0.0])
+         + float(sd.illuminance(sd.SunDisc(SUN, 5.0))) * np.array([0.0, 1.0]), kinds.index)  # fmt: skip
+
+
+def test_axes_of_xarray_pair_by_name():
+    """Suns and views are two axes, however they are ordered; no axis of 1 is needed."""
+    time, view = pd.Index(range(3), name="time"), pd.Index(list("nesw"), name="view")
+    suns = xr.DataArray(SUNS, {"time": time}, ["time", "axis"])
+    views = xr.DataArray(VIEWS, {"view": view}, ["view", "axis"])
+    haze = xr.DataArray([2.0, 3.0, 4.0], {"time": time}, ["time"])
+    plain = sd.Preetham(SUNS[:, None], np.array([[2.0], [3.0], [4.0]]))
+    sky = sd.Preetham(suns, haze)
+    light = sky.luminance(views)
+    assert light.dims == ("time", "view")
+    assert light.attrs == {"units": "cd m-2"}
+    same(light, plain.luminance(VIEWS), time)
+    assert sky.rgb(views).dims == ("time", "view", "channel")
+    assert sd.illuminance(sky, views).dims == ("time", "view")
+    same(sd.illuminance(sky, views), sd.illuminance(plain, VIEWS), time)
+    assert sd.patch_means(sky).dims == ("time", "patch")
+    assert float(light.sel(view="e").isel(time=0)) == float(plain.luminance(VIEWS)[0, 1])
+    reordered = sd.Preetham(SUN, xr.DataArray([[2.0, 3.0]], dims=("b", "a"))).luminance(
+        xr.DataArray(np.stack([VIEWS[:2]]), dims=("c", "a", "axis"))
+    )
+    assert reordered.dims == ("b", "a", "c")
+
+
+def test_directions_suns_and_colours():
+    hours = pd.Series(HOURS, index=["ten", "eleven", "noon"])
+    toward = sd.sun_direction(TURIN, hours)
+    same(toward, SUNS, hours.index)
+    assert list(toward.columns) == ["x", "y", "z"]
+    same(sd.elevation(toward), sd.elevation(SUNS), hours.index)
+    same(sd.angle_between(toward, sd.ZENITH), sd.angle_between(SUNS, sd.ZENITH), hours.index)
+    same(sd.direction(sd.azimuth(toward), sd.elevation(toward)), sd.direction(*angles(SUNS)), hours.index)
+    assert [part.name for part in (sd.azimuth(toward), sd.elevation(toward))] == ["azimuth", "elevation"]
+    xyz = sd.HosekWilkie(SUN, 3.0).xyz(pd.DataFrame(VIEWS, index=list("nesw")))
+    same(colour_temperature(xyz), colour_temperature(xyz.to_numpy()), xyz.index)
+    assert isinstance(sd.sun_direction(TURIN, HOURS), np.ndarray)  # an index holds times, and labels nothing
+
+
+def angles(toward):
+    return sd.azimuth(toward), sd.elevation(toward)
+
+
+def test_labels_that_do_not_fit_are_refused():
+    one, other = (pd.Series([2.0, 3.0, 4.0], index=index) for index in ([1, 2, 3], [2, 3, 4]))
+    with pytest.raises(ValueError, match=r"must be the same along one axis, got .* 1 \.\.\. 3 and .* 2 \.\.\. 4"):
+        sd.Preetham(pd.DataFrame(SUNS, other.index), one).luminance(sd.ZENITH)
+    with pytest.raises(TypeError, match="labels of pandas and xarray cannot be mixed"):
+        sd.Preetham(SUN, one).luminance(xr.DataArray(VIEWS[:3], dims=("view", "axis")))
+
+
+def test_maps_take_one_labelled_condition():
+    sky = sd.Preetham(pd.DataFrame(SUNS).iloc[0], xr.DataArray(3.0))
+    np.testing.assert_array_equal(sd.render(sky, 16).pixels, sd.render(sd.Preetham(SUNS[0], 3.0), 16).pixels)
+
+
+def test_a_sky_of_ones_own_keeps_labels_too():
+    class Double(sd.Uniform):
+        def luminance(self, directions):
+            return 2 * super().luminance(directions)
+
+    frame = pd.DataFrame(VIEWS, index=list("nesw"))
+    same(Double(5.0).luminance(frame), np.full(4, 10.0), frame.index)

@@ -1,0 +1,175 @@
+"""Whatever stands in the place of one argument, at every door: one sentence of ours, never Python's or NumPy's own."""
+
+import inspect
+import linecache
+import traceback
+import warnings
+
+import numpy as np
+import pytest
+
+import skydome as sd
+
+SUN, VIEWS = sd.direction(2.0, 0.7), sd.direction([0.0, 1.0], 0.5)
+AROUND = sd.direction(np.linspace(0, 6, 20), np.linspace(0.1, 1.2, 20))
+TURIN, NOON = sd.Place(45.07, 7.69), "2026-06-21T12:00+02:00"
+AIR = sd.Atmosphere.from_turbidity(3.0)
+SKY, HW, DISC = sd.Preetham(SUN, 3.0), sd.HosekWilkie(SUN, 3.0), sd.SunDisc(SUN, 3.0)
+WHOLE, MAP, VIEW = HW + DISC, sd.render(HW, 16), sd.Camera(width=32, height=32)
+LIT, AT = {"sun": SUN, "turbidity": 3.0}, {"directions": VIEWS, "wavelengths": [450.0]}
+
+CALLS = {
+    "Place": {"latitude": 45.0, "longitude": 7.0, "altitude": 0.0},
+    "direction": {"azimuth": 1.0, "elevation": 0.5},
+    "azimuth": {"directions": VIEWS},
+    "elevation": {"directions": VIEWS},
+    "angle_between": {"a": VIEWS, "b": VIEWS},
+    "unit": {"vectors": VIEWS},
+    "sun_direction": {"place": TURIN, "time": NOON, "refraction": False},
+    "sun_angles": {"place": TURIN, "time": NOON},
+    "preetham_sun_direction": {"place": TURIN, "time": NOON},
+    "earth_sun_distance": {"time": NOON},
+    "solar_radius": {"time": NOON},
+    "sun_events": {"place": TURIN, "day": "2026-06-21", "zone": "Europe/Rome"},
+    "Spectrum": {"wavelengths": [400.0, 500.0], "values": [1.0, 2.0]},
+    "colour_temperature": {"xyz": [1.0, 1.0, 1.0]},
+    "duv": {"xyz": [1.0, 1.0, 1.0]},
+    "daylight_spectrum": {"xyz": [1.0, 1.0, 1.0], "wavelengths": [400.0, 500.0]},
+    "Aerosol": {}, "Molecules": {}, "Ozone": {}, "Atmosphere": {}, "ClearAir": {}, "clear_air": {}, "Junge": {},
+    "Lognormal": {"median_radius": 1e-7, "deviation": 2.0},
+    "GammaSizes": {"radius": 1e-6, "variance": 0.1},
+    "MieParticles": {"sizes": sd.Lognormal(1e-7, 2.0), "count": 10},
+    "Uniform": {"value": 100.0},
+    "MoonSpencer": {"zenith_luminance": 100.0},
+    "CIE": {"sun": SUN, "type": 12, "zenith_luminance": 1e3},
+    "CIEClear": {"sun": SUN, "zenith_luminance": 1e3},
+    "CIEIntermediate": {"sun": SUN, "zenith_luminance": 1e3},
+    "Perez": {"sun": SUN, "a": -1.0, "b": -0.3, "c": 10.0, "d": -3.0, "e": 0.4, "zenith_luminance": 1e3},
+    "PerezAllWeather": {"sun": SUN, "direct_normal_irradiance": 700.0, "diffuse_horizontal_irradiance": 100.0},
+    "Preetham": LIT, "HosekWilkie": LIT, "HosekWilkieRGB": LIT, "SunDisc": LIT, "PreethamSun": LIT,
+    "Daylight": {"sky": sd.Uniform(1.0)},
+    "AtmosphereSun": {"sun": SUN, "atmosphere": AIR},
+    "CapturedSky": {"map": MAP},
+    "physical_sky": {"sun": SUN},
+    "PhysicalSky": {"sun": SUN},
+    "DiscreteOrdinates": {"sun": SUN, "atmosphere": AIR},
+    "Nishita93": {"sun": SUN, "atmosphere": AIR},
+    "Nishita96": {"sun": SUN, "atmosphere": AIR},
+    "held": {"sky": sd.Nishita93(SUN, AIR)},
+    "blend": {"clear": HW, "overcast": sd.Daylight(sd.Uniform(1.0)), "fraction": 0.5},
+    "luminance_series": {"sky": SKY, "directions": VIEWS},
+    "clear_zenith_luminance": LIT,
+    "overcast_zenith_luminance": {"sun": SUN},
+    "render": {"sky": HW, "height": 16, "dtype": np.float32},
+    "render_pixels": {"sky": HW, "height": 16},
+    "illuminance": {"sky": HW, "normal": sd.EAST, "ground_albedo": 0.2},
+    "irradiance": {"sky": HW, "wavelengths": [450.0, 500.0], "normal": sd.EAST, "ground_albedo": 0.2},
+    "patch_means": {"sky": SKY, "division": "tregenza", "tolerance": 1e-2},
+    "SphericalHarmonics": {"coefficients": np.ones((3, 9))},
+    "sample": {"sky": SKY, "n": 4, "seed": 0},
+    "sample_density": {"sky": SKY, "directions": VIEWS},
+    "EnvironmentMap": {"pixels": np.ones((4, 8, 3)), "projection": sd.Equirectangular()},
+    "load": {"path": "none.exr"},
+    "Equirectangular": {"azimuth_left": 0.0},
+    "Fisheye": {"coverage": 3.0},
+    "target": {"name": "pbrt"},
+    "obstructed_illuminance": {"sky": SKY, "surroundings": sd.Horizon([0.0, 1.0, 2.0], [0.1, 0.2, 0.1])},
+    "StreetCanyon": {"height": 10.0, "width": 8.0},
+    "Horizon": {"azimuths": [0.0, 1.0, 2.0], "elevations": [0.1, 0.2, 0.1]},
+    "MeshScene": {"vertices": [[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], "faces": [[0, 1, 2]]},
+    "LightInRGB": {},
+    "LightInWavelengths": {"wavelengths": [400.0, 500.0]},
+    "aerial_perspective": {"sky": WHOLE, "distance": 1e3, "direction": sd.NORTH},
+    "AirLight": {"sky": WHOLE},
+    "WardLarson": {"air": sd.AirLight(WHOLE)},
+    "WardLarsonMeanSky": {"air": sd.AirLight(WHOLE)},
+    "Eye": {}, "Camera": {}, "HalfSphere": {}, "StilesHolladay": {}, "CIETotal": {}, "Spencer": {}, "LensFlare": {},
+    "PHOTOPIC": {"angle": 0.1},
+    "glare": {"environment": MAP, "azimuth": 0.0, "elevation": 0.0, "side": 100},
+    "Elevation": {"heights": np.zeros((4, 4)), "dx": 30.0, "dy": 30.0},
+    "read_elevation": {"path": "none.tif"},
+    "read_weather": {"path": "none.epw"},
+    "year": {"weather": "none.epw", "patches": "tregenza"},
+    "shader": {"sky": HW},
+    "fit": {"model": sd.Preetham, "directions": AROUND, "observed": SKY.luminance(AROUND), "initial": LIT,
+            "free": ["turbidity"]},
+}  # fmt: skip
+"""Public names, each with arguments that it takes (but for the file)."""
+
+METHODS = [
+    (HW.luminance, {"directions": VIEWS}),
+    (HW.rgb, {"directions": VIEWS, "space": sd.SRGB}),
+    (HW.radiance, AT), (SKY.radiance, AT), (DISC.radiance, AT), (sd.PhysicalSky(SUN).radiance, AT),
+    (DISC.illuminance, {"normal": sd.EAST}),
+    (DISC.of_size, {"angular_radius": 0.01}),
+    (sd.SunDisc.of, {"sky": HW}),
+    (MAP.illuminance, {"normal": sd.EAST}),
+    (MAP.save, {"path": "no/such/folder.exr", "target": "native"}),
+    (MAP.rotated, {"angle": 0.1}),
+    (sd.CapturedSky(MAP).luminance, {"directions": VIEWS}),
+    (sd.Eye().look, {"environment": MAP, "view": VIEW}),
+    (sd.LensFlare().look, {"environment": MAP, "view": VIEW}),
+    (sd.Atmosphere.from_turbidity, {"turbidity": 3.0}),
+    (sd.Weather.from_frame, {"frame": None, "place": TURIN}),
+    (sd.Spectrum([400.0, 500.0], [1.0, 2.0]).at, {"wavelengths": [450.0]}),
+    (sd.Place.parse, {"text": "45,7"}),
+]  # fmt: skip
+
+WRONG = {
+    "word": "red", "None": None, "words": ["a"], "mapping": {}, "shape": np.zeros((2, 5)), "object": object(),
+    "nan": float("nan"), "number": 7.0, "bool": True, "empty": [],
+}  # fmt: skip
+
+
+def not_ours(error):
+    """Where an error comes from, if no `raise` of ours made it."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    lines = [linecache.getline(last.filename, k) for k in range(last.lineno - 3, last.lineno + 1)]
+    ours = "/skydome/" in last.filename and any("raise " in line for line in lines)
+    return "" if ours else f"{type(error).__name__}: {error} ({last.filename}, line {last.lineno})"
+
+
+def faults(call, good):
+    """What is wrong with the answers to one wrong argument at a time."""
+    for name, parameter in inspect.signature(call).parameters.items():
+        for kind, value in WRONG.items():
+            if parameter.kind is parameter.VAR_KEYWORD or (value is None and parameter.default is None):
+                continue
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    call(**(good | {name: value}))
+            except Exception as error:
+                if wrong := not_ours(error):
+                    yield f"{name} = {kind}: {wrong}"
+                elif len(str(error).splitlines()) != 1 or len(str(error)) > 400:
+                    yield f"{name} = {kind}: no line: {error}"
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_wrong_argument_gets_a_sentence(name):
+    assert list(faults(getattr(sd, name), CALLS[name])) == []
+
+
+@pytest.mark.parametrize(("call", "good"), METHODS, ids=lambda part: getattr(part, "__qualname__", ""))
+def test_a_wrong_argument_of_a_method_gets_a_sentence(call, good):
+    assert list(faults(call, good)) == []
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: sd.Camera("north"), "azimuth must be a number in .* got str 'north'"),
+        (lambda: sd.Eye("x"), "age must be a number in .5, 100. years, .* got str 'x'"),
+        (lambda: HW.radiance(sd.ZENITH, "red"), "wavelengths must be numbers, got str 'red'"),
+        (lambda: sd.Place("45", 7.0), "latitude must be a number in .* got str '45'"),
+        (lambda: sd.render(HW, 16, space="sRGB"), "space must be of kind RGBSpace, as SRGB, got str 'sRGB'"),
+        (lambda: sd.Preetham(SUN, "hazy"), "turbidity must be a number in .2, 6., or an array of such, got str 'hazy'"),
+        (lambda: sd.Place([45.0, 46.0], 7.0), "latitude must be one number, got list"),
+        (lambda: sd.LensFlare(ghosts=2.5), "ghosts must be one whole number, got float 2.5"),
+        (lambda: sd.azimuth([1.0, 2.0]), r"directions must have shape \(\.\.\., 3\), got \(2,\)"),
+    ],
+)
+def test_sentences(call, told):
+    with pytest.raises((TypeError, ValueError), match=told):
+        call()
