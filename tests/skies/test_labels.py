@@ -112,3 +112,10 @@ def test_a_sky_of_ones_own_keeps_labels_too():
 
     frame = pd.DataFrame(VIEWS, index=list("nesw"))
     same(Double(5.0).luminance(frame), np.full(4, 10.0), frame.index)
+
+
+def test_what_a_sky_keeps_beside_its_parameters_is_not_walked():
+    """The physical sky keeps the sky of its maps, which holds the sky itself."""
+    sky = sd.PhysicalSky(sd.direction(1.0, 0.5))
+    first = sky.for_maps.luminance(sd.ZENITH)
+    assert float(sky.for_maps.luminance(sd.ZENITH)) == float(first) > 0

@@ -89,8 +89,8 @@ def answered(
 def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
     """The labelled parameters of a sky, and how many of their last axes are not labels of the light."""
     if isinstance(value, LabelledLight):
-        for name, part in vars(value).items():
-            yield from labelled_parts(part, int(name in value.directions_held))
+        for item in fields(value):  # not what the sky keeps beside them: that may hold the sky itself
+            yield from labelled_parts(getattr(value, item.name), int(item.name in value.directions_held))
     elif isinstance(value, tuple | list):
         for part in value:
             yield from labelled_parts(part, core)
