@@ -19,7 +19,7 @@ import skydome
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "build" / "site-sources"
 CHAPTERS = {
-    "Start": "units-and-frame sun colour targets recipes phrases",
+    "Start": "units-and-frame sun colour targets recipes phrases explorer",
     "Uses": "sunlight aerial-perspective daylight obstruction eye differentiate shaders neural captured",
     "Behind it": "adding-a-model evaluation errata performance decisions versions",
 }
