@@ -1,5 +1,6 @@
 """Figures of skies: luminance in false colour, looking up."""
 
+from io import BytesIO
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -75,5 +76,8 @@ def save_figure(figure: "Figure", path: str | PathLike[str]) -> None:
         raise ValueError(f"a plot's file must end in {', '.join(FORMATS)}, got {Path(path).name!r}")
     from matplotlib import rc_context
 
-    with appearing(path) as beside, rc_context({"svg.hashsalt": "skydome"}):  # names of an SVG's parts, else random
-        figure.savefig(beside, format=suffix[1:], metadata=DATELESS.get(suffix))
+    drawn = BytesIO()  # on a full disk matplotlib's PDF fails in ways of its own
+    with rc_context({"svg.hashsalt": "skydome"}):  # names of an SVG's parts, else random
+        figure.savefig(drawn, format=suffix[1:], metadata=DATELESS.get(suffix))
+    with appearing(path) as beside:
+        beside.write_bytes(drawn.getbuffer())
