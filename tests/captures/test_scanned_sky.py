@@ -21,7 +21,7 @@ def test_samples_come_back_and_a_smooth_sky_lies_between():
     scan = catalogue.scan_of(model)
     sky = sd.ScannedSky((scan,))
     np.testing.assert_allclose(sky.rgb(scan.directions), scan.light, rtol=1e-6)
-    np.testing.assert_allclose(sky.luminance(VIEWS), model.luminance(VIEWS), rtol=0.04)
+    np.testing.assert_allclose(sky.luminance(VIEWS), model.luminance(VIEWS), rtol=0.05)
 
 
 def test_a_cubic_in_time_is_exact():
