@@ -102,6 +102,7 @@ HOME = {
     "export.scenes.scene": "SkyScene",
     "export.scenes.sun_lamp": "SunLamp",
     "fitting.fit": "fit Fit",
+    "captures.scanned_sky": "ScannedSky",
     "explorer.widget": "explore",
 }
 """Module -> its public names, in the order of reading; a module is imported when a name of it is first asked for.

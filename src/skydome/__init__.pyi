@@ -10,6 +10,7 @@ from skydome.air.size_distributions import Junge as Junge
 from skydome.air.size_distributions import Lognormal as Lognormal
 from skydome.air.transmittance import ClearAir as ClearAir
 from skydome.air.turbidity import meteorological_range as meteorological_range
+from skydome.captures.scanned_sky import ScannedSky as ScannedSky
 from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
 from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
 from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis

@@ -119,3 +119,14 @@ def test_air_that_cannot_be_is_refused(call, message):
     with pytest.raises(ValueError, match=message) as caught:
         call()
     assert "\n" not in str(caught.value)
+
+
+def test_eltermans_haze():
+    """Its column at 340 nm is .38 as published with it; near the ground it falls by e in Preetham's 1.2 km."""
+    from skydome.air.profiles import ELTERMAN
+
+    assert ELTERMAN.column / 1000 == pytest.approx(0.38, abs=0.01)
+    low = ELTERMAN.density(np.array([0.0, 1000.0]))
+    assert 1000 / np.log(low[0] / low[1]) == pytest.approx(1200, rel=0.03)
+    assert ELTERMAN.above(0.0) == pytest.approx(1.0)
+    assert ELTERMAN.above(10_000.0) == pytest.approx(0.12, abs=0.03)

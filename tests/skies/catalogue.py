@@ -102,10 +102,23 @@ def prague_file(path):
     return path
 
 
+OVERCAST_SKY = sd.Daylight(sd.MoonSpencer(zenith_luminance=9000.0))
+
+
+def scan_of(sky, time=0.0):
+    """A scan of a sky on eight rings of 24 samples."""
+    from skydome.captures.scans import Scan
+
+    height, around = np.meshgrid(np.radians([6, 18, 30, 42, 54, 66, 78, 88]), np.arange(24) * np.pi / 12, indexing="ij")
+    views = sd.direction(around.ravel(), height.ravel())
+    return Scan(views, np.broadcast_to(sd.SOUTH, views.shape), np.asarray(sky.rgb(views)), time)
+
+
 PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 
 PHYSICAL = {
     "prague": lambda sun: sd.Prague(sun, PRAGUE),
+    "scanned": lambda sun: sd.ScannedSky((scan_of(OVERCAST_SKY),)),
     "nishita-93": lambda sun: sd.Nishita93(sun, AIR),
     "nishita-96": lambda sun: sd.Nishita96(sun, AIR, rings=4),
     "discrete-ordinates": lambda sun: sd.DiscreteOrdinates(sun, AIR),
@@ -134,5 +147,6 @@ TWILIGHT = (
     "prague",
     "captured-square",
     "captured-with-sun",
+    "scanned",
 )
 """Those that have light when the sun is down."""

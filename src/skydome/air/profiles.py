@@ -123,3 +123,13 @@ def standard_1976() -> Tabulated:
 
 STANDARD_1976 = standard_1976()
 """The molecules' profile: 10 km up a third of the ground's density, 50 km up a thousandth."""
+
+
+def elterman() -> Tabulated:
+    """Haze over height as Elterman's measurements of 1968 have it (TUV's table), to 50 km."""
+    table = columns("elterman_1968")
+    return Tabulated(tuple((table["height_km"] * 1000).tolist()), tuple(table["extinction"].tolist()))
+
+
+ELTERMAN = elterman()
+"""Haze of clear continental air: it falls by e in 1.2 km near the ground, then a stratospheric layer about 18 km up."""

@@ -8,6 +8,7 @@
 - sky_glow            Where a sky glows: the sun behind cloud, roofs or the horizon
 - sun_finding         Where the sun stands in a captured map: its disc where it is seen, else its glow
 - scans               Measured skies on a scanner's rings of equal height
+- scanned_sky         A sky measured by a scanner, as a sky: bicubic on the sphere, cubic in time
 - interpolation       Ways from one measured sky to the next: cross-fades, a cubic through four
 - capture_training    A neural sky for one day: the published network trained on captures turned to a common azimuth
 - animation           Skies between captures: a day's maps, frame by frame, smooth in time

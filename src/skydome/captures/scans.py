@@ -48,9 +48,11 @@ class Scan:
         wanted = np.clip(elevation(directions), heights[0], heights[-1])
         if len(heights) == 1:
             return np.asarray(along[0])
-        across: np.ndarray = CubicSpline(heights, along, axis=0, bc_type="natural")(wanted)
-        chosen = np.arange(len(wanted))
-        return across[chosen, chosen]
+        pieces = CubicSpline(heights, along, axis=0, bc_type="natural").c  # (4, rings - 1, N, C): each view has its own
+        ring = np.clip(np.searchsorted(heights, wanted, side="right") - 1, 0, len(heights) - 2)
+        cubic, step = pieces[:, ring, np.arange(len(wanted))], (wanted - heights[ring])[:, None]
+        across: np.ndarray = ((cubic[0] * step + cubic[1]) * step + cubic[2]) * step + cubic[3]
+        return across
 
     def light_at(self, directions: np.ndarray, turned: np.ndarray | None = None) -> np.ndarray:
         """Light (N, 3) toward directions (N, 3), the sky turned with the suns `turned` (N, 3) if given; see above."""

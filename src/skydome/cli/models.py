@@ -64,6 +64,8 @@ def build(model: "Model", moment: "Moment | None", options: SkyOptions) -> "tupl
     refuse_what_it_does_not_take(model, options)
     given = given_parameters(model, options)
     notes = model.remarks(given)
+    if options.albedo is not None and "albedo" not in model.takes:
+        notes.append(f"--albedo {options.albedo:g}: for the ground alone; the light of {model.name} knows no albedo")
     sun = None if moment is None else moment.direction
     if moment is not None and moment.distance is not None and (known := model.at_distance(moment.distance)):
         given = known | given
