@@ -53,9 +53,9 @@ def test_columns_along_rays():
     tables, straight = ColumnTables.of(sd.clear_air()), ColumnTables.of(sd.clear_air(), refractivity=0.0)
     above = np.stack([part.above(0.0) - part.above(100_000.0) for part in PROFILES])
     np.testing.assert_allclose(rays.whole[0], above, rtol=2e-3)
-    np.testing.assert_allclose(rays.whole[1][[0, 1, 3, 2]], straight.rising(np.array(0.0), np.array(0.02)), rtol=5e-3)
+    np.testing.assert_allclose(rays.whole[1][[0, 1, 3, 2]], straight.toward(np.array(0.0), np.array(0.02)), rtol=5e-3)
     eye = Rays.to_the_eye(cosines[1:2], 24)
-    np.testing.assert_allclose(eye.column[0, -1, [0, 1, 3, 2]], tables.rising(np.array(0.0), np.array(0.02)), rtol=5e-3)
+    np.testing.assert_allclose(eye.column[0, -1, [0, 1, 3, 2]], tables.toward(np.array(0.0), np.array(0.02)), rtol=5e-3)
     np.testing.assert_allclose(rays.whole[2], above - [part.above(20_000.0) for part in PROFILES], atol=2e-3)
     np.testing.assert_allclose((rays.density * rays.step[..., None]).sum(axis=1)[:, 0], rays.whole[:, 0], rtol=5e-3)
 

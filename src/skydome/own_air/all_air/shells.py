@@ -95,9 +95,9 @@ def ray(height: float, cosine: float, nodes: int) -> tuple[np.ndarray, ...]:
 def bent_columns(cosine: float, heights: np.ndarray) -> np.ndarray:
     """Columns (K, 4) from the ground to heights (K,) along a bent ray seen at a cosine."""
     own = tables()
-    whole = own.rising(np.zeros(1), np.array([cosine]))
+    whole = own.toward(np.zeros(1), np.array([cosine]))
     after = along(own, np.array([cosine]), heights[None])[1][0]
-    return np.asarray(whole - own.rising(heights, after))
+    return np.asarray(whole - own.toward(heights, after))
 
 
 def spread(s: np.ndarray, first: float, length: float) -> tuple[np.ndarray, np.ndarray]:
