@@ -20,6 +20,7 @@ from skydome.land.picture import render_terrain
 from skydome.land.reading import read_elevation
 from skydome.land.texture import read_texture
 from skydome.light.colour import xyY_from_xyz, xyz_from_rgb
+from skydome.skies.preetham import PreethamNumbers
 
 HERE = Path(__file__).parent
 PARK = sd.Place(latitude=40.36, longitude=-105.70, altitude=2800)
@@ -42,10 +43,10 @@ def land():
     return read_elevation(DATA / "rmnp-dem.tif").refined(4), (0.13, 0.13, 0.09)
 
 
-def clear(turbidity, time):
-    """Preetham's sky and sun at the park, and its air."""
+def clear(turbidity, time, numbers=PreethamNumbers.PRINTED):
+    """Preetham's sky by the numbers that the paper prints, or the authors', its sun at the park, and its air."""
     sun = sd.sun_direction(PARK, time)
-    sky = sd.Preetham(sun, turbidity)
+    sky = sd.Preetham(sun, turbidity, numbers)
     whole = sky + sd.PreethamSun(sun, turbidity)
     return whole, sd.AirLight(whole, ground_albedo=0.12)
 
@@ -121,12 +122,13 @@ def old_and_new():
     return {
         "Ward-Larson": (cie + whole.parts[1], sd.WardLarson(sd.AirLight(cie, turbidity=6.0))),
         "new model": (whole, air),
+        "new model, the authors' numbers": clear(6.0, SUNSET, PreethamNumbers.AUTHORS),
         "physical light": physical(6.0, SUNSET),
     }
 
 
 def figure_8(elevation, albedo):
-    """East and west: Ward-Larson above, the new model, and the same air lit by a physical sky."""
+    """East and west: Ward-Larson above, the new model by both sets of numbers, the same air under a physical sky."""
     rows = old_and_new()
     pictures = [
         render_terrain(elevation, camera, *row, albedo=albedo) for row in rows.values() for camera in (EAST, WEST)
@@ -137,7 +139,7 @@ def figure_8(elevation, albedo):
 def colours(elevation, albedo):
     """Chromaticities at sunset: of the veil of 20 km, of the sky behind, and what the air does to the land's."""
     rows = old_and_new()
-    for name in ("new model", "physical light"):
+    for name in ("new model", "new model, the authors' numbers", "physical light"):
         whole, air = rows[name]
         fogs = {"fog of the zenith": sd.WardLarson(air), "fog of the mean sky": sd.WardLarsonMeanSky(air)}
         views = sd.direction(np.array([90.0, 270.0]) * deg, -0.01)

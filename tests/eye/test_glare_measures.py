@@ -156,5 +156,5 @@ def test_linking_is_that_of_all_pairs():
 
 
 def test_small_pictures_are_refused():
-    with pytest.raises(ValueError, match="at least 100 pixels, got 50"):
+    with pytest.raises(ValueError, match=r"must lie in \[100, 8192\] pixels, got 50"):
         glare(sd.EnvironmentMap(np.ones((8, 16, 3))), 0.0, 0.0, side=50)

@@ -77,9 +77,14 @@ export function middleLuminance(sky: Sky): number {
   return Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length);
 }
 
-/** The exposure value that suits a sky: skies look right a little brighter than middle grey. */
+/** Luminance, cd m-2, below which a picture may look darker: dusk should not look like day. */
+const DUSK = 400;
+
+/** The exposure value that suits a sky: a little brighter than middle grey by day, darker at dusk. */
 export function usualEV(sky: Sky): number {
-  return Math.log2(middleLuminance(sky) * EV_PER_LUMINANCE) - 0.75;
+  const middle = middleLuminance(sky);
+  const dusk = 0.2 * Math.max(0, Math.log2(DUSK / middle));
+  return Math.log2(middle * EV_PER_LUMINANCE) - 0.75 + dusk;
 }
 
 /** What luminance is multiplied by at an exposure value. */

@@ -94,7 +94,7 @@ export class Timeline {
       const exposure = exposureOf(Math.max(usualEV(sky), 6));
       for (const [row, height] of [[0, 50], [1, 8]]) {
         const view = direction(azimuth(toward) + 1, (height * Math.PI) / 180);
-        context.fillStyle = sky.day ? css(xyzToward(sky, view), exposure) : night(elevation(toward));
+        context.fillStyle = sky.day && elevation(toward) > -0.1 ? css(xyzToward(sky, view), exposure) : night(elevation(toward));
         context.fillRect(k, row, 1, 1);
       }
     }

@@ -17,12 +17,13 @@ export const DIVERGING = [
 const array = (colours: number[][]): string =>
   `vec3[9](${colours.map((c) => `vec3(${c.map((v) => v.toFixed(4)).join(", ")})`).join(", ")})`;
 
-export const DISPLAY = `${HEAD}
+/** The shader of a mode (0 photograph, 1 false colour, 2 difference): each has a program that does nothing else. */
+export const display = (mode: number): string => `${HEAD}
+const int mode = ${mode};
 uniform sampler2D first;
 uniform sampler2D second;
 uniform bool two;
 uniform float wipe;
-uniform int mode;
 uniform float exposure;
 uniform vec2 bar;
 uniform float stops;
@@ -94,8 +95,9 @@ vec3 difference(vec3 a, vec3 b) {
 }
 void main() {
     vec3 d = toward();
-    vec4 a = texture(first, vec2(uv.x, 1.0 - uv.y));
-    vec4 b = two ? texture(second, vec2(uv.x, 1.0 - uv.y)) : a;
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 a = texelFetch(first, texel, 0);
+    vec4 b = two ? texelFetch(second, texel, 0) : a;
     bool right = two && uv.x > wipe;
     vec4 light = right ? b : a;
     float edge = dome ? 1.0 - smoothstep(1.0 - pixel / 1.57, 1.0, length(dome_plane())) : 1.0;

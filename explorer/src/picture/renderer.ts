@@ -4,7 +4,7 @@ import { TABLES } from "../core/tables";
 import type { Vec3 } from "../core/vector";
 import { ROWS, TURNS } from "../skies/grid";
 import type { Fields, Sky } from "../skies/sky";
-import { DISPLAY } from "./display";
+import { display } from "./display";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";
 import type { View } from "./view";
 import { pixelSize } from "./view";
@@ -180,7 +180,7 @@ export class Renderer {
     const lit = skies.map((sky, slot) => this.light(slot, sky, view, width, height));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
-    const program = this.program("display", () => DISPLAY);
+    const program = this.program(`display ${shown.mode}`, () => display(shown.mode));
     this.useView(program, view, skies[0].sun);
     lit.forEach((target, k) => {
       gl.activeTexture(gl.TEXTURE0 + k);
@@ -191,7 +191,6 @@ export class Renderer {
     gl.uniform1i(this.at(program, "second"), lit.length - 1);
     gl.uniform1i(this.at(program, "two"), Number(lit.length > 1));
     gl.uniform1f(this.at(program, "wipe"), shown.wipe);
-    gl.uniform1i(this.at(program, "mode"), shown.mode);
     gl.uniform1f(this.at(program, "exposure"), shown.exposure);
     gl.uniform2f(this.at(program, "bar"), ...shown.bar);
     gl.uniform1f(this.at(program, "stops"), shown.stops);
