@@ -11,6 +11,7 @@ from skydome.ground.directions import azimuth, elevation
 from skydome.ground.units import deg
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.sky import Sky
+from skydome.skies.suns.sun_disc import SunDisc
 from skydome.sun.place import Place
 
 VERSION = 1
@@ -55,7 +56,8 @@ def moment(place: Place | None, time: datetime | None, zone: str | None = None) 
 
 
 def address_of(sky: Sky) -> str:
-    """The address at which the page shows a sky of the catalogue: its model, its sun and its air.
+    """The address at which the page shows a sky of the catalogue: its model, its sun and its air,
+    with or without the sun's disc.
 
     TypeError for a sky that no row of the catalogue makes, ValueError for one of more than one condition.
 
@@ -63,8 +65,9 @@ def address_of(sky: Sky) -> str:
     >>> address_of(sd.Preetham(sd.direction(azimuth=180 * sd.deg, elevation=30 * sd.deg), turbidity=2.5))
     '?v=1&model=preetham&sun=180,30&turbidity=2.5'
     """
-    inner = sky.single[0]
-    lit = inner.sunlit
+    rest = [part.single[0] for part in sky.parts if not isinstance(part.single[0], SunDisc)]
+    inner = rest[0] if len(rest) == 1 else sky
+    lit = inner.sunlit if len(rest) == 1 else None
     if lit is not None:
         inner = lit
     told: dict[str, Any] = {"model": model_name(inner)}
