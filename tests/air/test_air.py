@@ -76,7 +76,7 @@ def test_profiles_agree_with_quadrature():
 def test_slant_depth_is_the_secant_far_from_the_horizon_and_chapmans_on_it():
     flat = Atmosphere((Molecules(),), radius=6.371e11)
     np.testing.assert_allclose(flat.slant_depths(0.5, W), 2 * flat.depth(W), rtol=1e-5)
-    round_ = Atmosphere((Molecules(),), height=200_000.0)
+    round_ = Atmosphere((Molecules(profile=Exponential(8000.0)),), height=200_000.0)
     horizon = np.sqrt(np.pi * 6_371_000 / 2 / 8000) * (1 + 3 / 8 * 8000 / 6_371_000)  # Chapman 1931: the grazing limit
     np.testing.assert_allclose(round_.slant_depths(0.0, W) / round_.depth(W), horizon, rtol=1e-3)
 

@@ -1,6 +1,7 @@
 """The air: what it is made of, how it is spread over height, and what it does to light.
 
 - atmosphere          An atmosphere: constituents in spherical shells over a ground, lit by a sun
+- named_airs          Clear air of the earth by what people know of it
 - constituents        What air is made of: molecules that scatter, aerosol that scatters and absorbs, ozone that absorbs
 - profiles            How a constituent of the air is spread over height
 - cross_sections      What a molecule of air or of ozone takes out of a beam; the sun above the air

@@ -8,17 +8,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air import mars
-from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
-from skydome.air.cross_sections import rayleigh_depth, solar_irradiance
-from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw
+from skydome.air.constituents import Aerosol, Constituent, Molecules, at
+from skydome.air.cross_sections import STANDARD_PRESSURE, solar_irradiance
+from skydome.air.named_airs import BACKGROUND_DEPTH, CONTINENTAL, PREETHAM_HAZE, NamedAirs, usual
+from skydome.air.phase_laws import CornetteShanks, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential
-from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
-from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range, require, require_one
+from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
 from skydome.light.spectrum import Spectrum
+from skydome.sun.refraction import standard_pressure
 
 __all__ = ["CONTINENTAL", "DARK_GREEN", "PREETHAM_HAZE", "USUAL_ALBEDO", "Atmosphere", "MissingBands"]
 
@@ -58,18 +59,9 @@ def dark_green() -> Spectrum:
 DARK_GREEN = dark_green()
 """A plain picture of vegetated ground, dark to the eye; its red edge is that of grass (Feister and Grewe 1995)."""
 
-CONTINENTAL = Aerosol()
-"""The usual aerosol: one Henyey-Greenstein lobe of g 0.76, of which 0.92 is scattered, scale height 1.5 km."""
-
-PREETHAM_HAZE = Aerosol(albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
-"""The haze of Preetham's A.1: it scatters all, by Bullrich's table, with a scale height of 1.2 km."""
-
-
-TURBIDITY = Range(1.0, 64.0)
-
 
 @dataclass(frozen=True)
-class Atmosphere(Bounded):
+class Atmosphere(NamedAirs, Bounded):
     """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
 
     `height` is the top of the air above the ground, m. `sunlight`: a `Spectrum` of the irradiance above the air,
@@ -80,7 +72,7 @@ class Atmosphere(Bounded):
     [0.186]
     """
 
-    constituents: tuple[Constituent, ...] = field(default_factory=lambda: (Molecules(), Aerosol(), Ozone()))
+    constituents: tuple[Constituent, ...] = field(default_factory=usual)
     albedo: Any = USUAL_ALBEDO
     radius: float = EARTH_RADIUS
     height: float = 100_000.0
@@ -103,47 +95,41 @@ class Atmosphere(Bounded):
     @classmethod
     def standard(
         cls,
-        aerosol_depth: float = 0.1,
-        asymmetry: float = 0.76,
-        pressure: float = 101325.0,
-        ozone: float = 330.0,
-        albedo: ArrayLike | Spectrum = USUAL_ALBEDO,
+        aerosol_depth: Any = 0.1,
+        asymmetry: Any = 0.76,
+        pressure: Any = STANDARD_PRESSURE,
+        ozone: Any = 330.0,
+        albedo: Any = USUAL_ALBEDO,
         phase: PhaseLaw | None = None,
-        aerosol_albedo: ArrayLike | Spectrum = 0.92,
+        aerosol_albedo: Any = 0.92,
         sun_scale: float = 1.0,
+        angstrom: Any = 1.3,
+        stratospheric_depth: Any = BACKGROUND_DEPTH,
     ) -> "Atmosphere":
-        """Clear air of the earth: Rayleigh, aerosol (scale height 1.5 km, Angstrom exponent 1.3), ozone (Dobson units).
+        """Clear air of the earth, its aerosol of so much depth at 550 nm, with `ozone` in Dobson units.
 
-        `phase` replaces the one Henyey-Greenstein lobe of `asymmetry`.
+        Molecules as in the US Standard Atmosphere 1976; aerosol of a scale height of 1.5 km, of which
+        `stratospheric_depth` lies at 12-28 km. `phase` replaces the one Henyey-Greenstein lobe of `asymmetry`. Numbers
+        may be arrays (...,) of any library, for the skies that take many airs at once.
         """
         law = HenyeyGreenstein((asymmetry,)) if phase is None else phase
-        aerosol = Aerosol(aerosol_depth, albedo=aerosol_albedo, phase=law)
-        return cls((Molecules(pressure), aerosol, Ozone(ozone)), albedo, sun_scale=sun_scale)
+        aerosol = Aerosol(aerosol_depth, angstrom, aerosol_albedo, law)
+        sky = {"pressure": pressure, "ozone": ozone, "stratospheric_depth": stratospheric_depth}
+        air: Atmosphere = cls.of_aerosol(aerosol, **sky, albedo=albedo, sun_scale=sun_scale)
+        return air
 
-    @classmethod
-    def from_turbidity(
-        cls,
-        turbidity: float,
-        aerosol: Aerosol = CONTINENTAL,
-        *,
-        albedo: ArrayLike | Spectrum = USUAL_ALBEDO,
-        ozone: float = 330.0,
-    ) -> "Atmosphere":
-        """Air with so much of an aerosol as the turbidity says, 1 is clean air; ValueError outside [1, 64].
+    def at_altitude(self, altitude: float) -> "Atmosphere":
+        """The same air over ground so many metres above the sea, such as `Place.altitude`: molecules weigh less there.
 
-        Turbidity is the vertical optical depth of molecules and aerosol over that of molecules at 550 nm (Preetham
-        1999, section 2.2); the one place where it becomes air. `aerosol` tells all but the depth: `CONTINENTAL`, or
-        `PREETHAM_HAZE`, which aerial perspective has too. `ozone` in Dobson units.
-
-        >>> air = Atmosphere.from_turbidity(3.0, ozone=0.0)
-        >>> bool(np.isclose(air.depth([550.0])[0] / rayleigh_depth([550.0])[0], 3.0))
-        True
+        >>> Atmosphere.standard().at_altitude(2635.0).depth([550.0]).round(3).tolist()
+        [0.199]
         """
-        require("turbidity", turbidity, TURBIDITY)
-        require_one("turbidity", turbidity)
-        require_kind(aerosol, Aerosol, "aerosol", "CONTINENTAL")
-        depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
-        return cls((Molecules(), replace(aerosol, optical_depth=depth), Ozone(ozone)), albedo)
+        share = standard_pressure(altitude) / standard_pressure(0.0)
+        parts = (
+            replace(part, pressure=part.pressure * share) if isinstance(part, Molecules) else part
+            for part in self.constituents
+        )
+        return replace(self, constituents=tuple(parts))
 
     @classmethod
     def bruneton2016(cls) -> "Atmosphere":
@@ -155,7 +141,7 @@ class Atmosphere(Bounded):
         table = columns("penndorf_1957")
         depths = Spectrum(table["wavelength_nm"], table["coefficient"] * (273.16 / 288.16) * 8000.0)
         aerosol = Aerosol(0.04 * 0.55**-0.8, 0.8, 0.8, CornetteShanks(0.7), Exponential(1200.0))
-        molecules = Molecules(depolarisation=0.0, optical_depth=depths)
+        molecules = Molecules(profile=Exponential(8000.0), depolarisation=0.0, optical_depth=depths)
         return cls((molecules, aerosol), grass(), radius=6_360_000.0, height=60_000.0)
 
     @classmethod

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from skydome.air.cross_sections import DOBSON, STANDARD_PRESSURE, ozone_cross_section, rayleigh_depth
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
-from skydome.air.profiles import OZONE_LAYER, Exponential, Profile
+from skydome.air.profiles import OZONE_LAYER, STANDARD_1976, Exponential, Profile
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating
 from skydome.ground.limits.ranges import SHARE, Bounded, Range
@@ -63,7 +63,9 @@ class Constituent(Bounded, ABC):
 
 @dataclass(frozen=True)
 class Molecules(Constituent):
-    """Air's molecules under a surface `pressure`, Pa; `optical_depth` (number or `Spectrum`) replaces Bodhaine's.
+    """Air's molecules under a surface `pressure`, Pa, by default spread as in the US Standard Atmosphere 1976.
+
+    `optical_depth` (number or `Spectrum`) replaces Bodhaine's.
 
     >>> air = Molecules(pressure=80_000.0)
     >>> air.depth([400.0, 700.0]).round(4).tolist()
@@ -71,7 +73,7 @@ class Molecules(Constituent):
     """
 
     pressure: float = STANDARD_PRESSURE
-    profile: Profile = field(default_factory=lambda: Exponential(8000.0))
+    profile: Profile = STANDARD_1976
     depolarisation: float = 0.0279
     optical_depth: Any = None
     bounds: ClassVar = {

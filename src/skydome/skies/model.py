@@ -5,10 +5,8 @@ from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import Any
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
-from skydome.air.cross_sections import rayleigh_depth
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
-from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import UsualLevel
@@ -170,8 +168,9 @@ class AirModel(Model):
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """The air."""
         turbidity, albedo = ((USUAL | dict(given))[name] for name in ("turbidity", "albedo"))
-        aerosol, ozone = self.air(given).constituents[1:3]
-        depth, lobe = f"{aerosol.optical_depth:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
+        _, aerosol, ozone, *high = self.air(given).constituents
+        whole = aerosol.optical_depth + sum(part.optical_depth for part in high)
+        depth, lobe = f"{whole:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
         return [
             f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU",
             f"ground: albedo {albedo:g}",
@@ -181,12 +180,6 @@ class AirModel(Model):
 @dataclass(frozen=True)
 class PhysicalModel(AirModel):
     """The physical sky, of an aerosol that makes up the turbidity at 550 nm."""
-
-    def air(self, given: Mapping[str, Any]) -> Any:
-        """The air that was taught, with that aerosol."""
-        asked = USUAL | dict(given)
-        depth = (asked["turbidity"] - 1) * float(rayleigh_depth([550.0])[0])
-        return replace(clear_air(depth, albedo=asked["albedo"]), sun_scale=asked.get("sun_scale", 1.0))
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None

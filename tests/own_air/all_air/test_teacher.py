@@ -158,3 +158,42 @@ def test_training_learns(lessons, tmp_path):
     learned = Lessons.load(lessons, DAY.low, DAY.high)
     network = load_rest(tmp_path / "400.safetensors").day
     assert rms_error(network, learned.chosen(learned.held)) == pytest.approx(more["day"], rel=0.1)
+
+
+@pytest.mark.parametrize("small", [False, True])
+def test_one_command_trains_both_networks(lessons, tmp_path, monkeypatch, small):
+    pytest.importorskip("torch")
+    from typer.testing import CliRunner
+
+    from skydome.cli.main import app
+    from skydome.own_air.all_air import training
+
+    for name in ("DAY", "TWILIGHT", "SMALL_DAY", "SMALL_TWILIGHT"):
+        course = getattr(training, name)
+        monkeypatch.setattr(training, name, course._replace(steps=12, shapes=4, mean_shapes=course.terms // 2))
+    output = tmp_path / "own.safetensors"
+    given = ["train", "--model", "physical", "-o", output, "--lessons", lessons, "--batches", "2", "--json"]
+    done = CliRunner().invoke(app, [str(part) for part in given] + ["--small"] * small)
+    assert done.exit_code == 0, done.output
+    assert '"computed": 0' in done.stdout
+    assert load_rest(output).day.shapes.shape == (4 + (3 if small else 6), 32, 7 if small else 13)
+    sky = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=0.5), networks=output)
+    assert np.isfinite(sky.radiance(sd.ZENITH, [550.0])).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["simulate", "--for", "cloud"], "--for must be one of formula, physical, got 'cloud'"),
+        (["simulate", "grid.toml", "--for", "physical"], "--for physical draws its airs at random and takes no grid"),
+        (["simulate"], "a grid must be named"),
+    ],
+)
+def test_purposes_that_there_are_not(arguments, told):
+    import subprocess
+    import sys
+
+    done = subprocess.run([sys.executable, "-m", "skydome", *arguments], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert told in done.stderr.replace("\n", " ")
+    assert len(done.stderr.splitlines()) == 1

@@ -1,4 +1,4 @@
-"""`skydome simulate`: a grid of simulated skies, written to a Zarr store."""
+"""`skydome simulate`: a grid of simulated skies in a Zarr store, or the physical sky's lessons in a folder."""
 
 from pathlib import Path
 from typing import Annotated
@@ -6,13 +6,22 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
+from skydome.cli.learning.physical_networks import BATCHES, PHYSICAL, make_physical_lessons
 from skydome.cli.options import AsJson
-from skydome.cli.printing import print_json
+from skydome.cli.printing import print_json, show_facts
+
+FORMULA = "formula"
+"""What --for calls the grid that `skydome fit` reads."""
 
 
 def simulate(
-    grid: Annotated[Path, Argument(help="grid.toml: turbidities, albedos, elevations, wavelengths, ...")],
-    output: Annotated[Path, Option("--output", "-o", help="The Zarr store, a folder.")],
+    grid: Annotated[Path | None, Argument(help="grid.toml: turbidities, albedos, elevations, wavelengths, ...")] = None,
+    output: Annotated[Path, Option("--output", "-o", help="The Zarr store or the lessons' folder.")] = Path("air.zarr"),
+    purpose: Annotated[
+        str, Option("--for", metavar="MODEL", help="formula (a grid), or physical (random airs in round shells).")
+    ] = FORMULA,
+    batches: Annotated[int, Option(min=1, help="Of 16 random airs each, for the physical sky.")] = BATCHES,
+    seed: Annotated[int, Option(min=0, help="Of the random airs.")] = 1,
     workers: Annotated[int, Option(min=0, help="Processes on this machine; 0: this one alone.")] = 0,
     scheduler: Annotated[
         str | None, Option(metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
@@ -21,8 +30,18 @@ def simulate(
 ) -> None:
     """Simulate a grid of clear skies by discrete ordinates; a second run computes only what is missing.
 
-    Radiance is in sr-1 for sunlight of irradiance 1. Interrupt it at will: finished pieces stay.
+    Radiance is in sr-1 for sunlight of irradiance 1. Interrupt it at will: finished pieces stay. With --for physical:
+    random airs under all suns, which `skydome train --model physical` learns from.
     """
+    if purpose == PHYSICAL:
+        if grid is not None:
+            raise ValueError(f"--for physical draws its airs at random and takes no grid, got {grid}")
+        show_facts(make_physical_lessons(output, batches, seed), as_json)
+        return
+    if purpose != FORMULA:
+        raise ValueError(f"--for must be one of {FORMULA}, {PHYSICAL}, got {purpose!r}")
+    if grid is None:
+        raise ValueError("a grid must be named, such as grid.toml (an empty file: Hosek and Wilkie's whole grid)")
     from skydome.ground.writing import require_place
     from skydome.own_air.grid import Grid
     from skydome.own_air.grid import simulate as run

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from typer import Option
 
 from skydome.cli.doors import progress, require_output
+from skydome.cli.learning.physical_networks import BATCHES, PHYSICAL, train_physical_networks
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
 def train(
     output: Annotated[Path, Option("--output", "-o", help="The network's file, .safetensors.")],
     model: Annotated[
-        str, Option(metavar="LESSON", help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral ...")
+        str,
+        Option(metavar="LESSON", help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral, physical"),
     ] = "hosek-wilkie",
     recipe: Annotated[
         str,
@@ -31,12 +33,23 @@ def train(
     ] = "published",
     seed: Annotated[int, Option(min=0, help="Another seed gives other data and other starts.")] = 0,
     resume: Annotated[bool, Option("--resume", help="Go on where an interrupted training stopped.")] = False,
+    lessons: Annotated[
+        Path | None, Option(help="The physical sky's lessons, a folder that is filled up first. [FILE.lessons]")
+    ] = None,
+    batches: Annotated[int, Option(min=1, help="Of 16 random airs each, for the physical sky.")] = BATCHES,
+    small: Annotated[bool, Option("--small", help="The physical sky's networks in less than 30 kB.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Train a small network on a sky model; `NeuralSky.load` reads it.
 
-    Interrupted, it leaves FILE.training.npz, from which --resume goes on to the same result.
+    Interrupted, it leaves FILE.training.npz, from which --resume goes on to the same result. With --model physical:
+    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run.
     """
+    if model == PHYSICAL:
+        require_output(output, "the network's file", (".safetensors",))
+        folder = output.with_suffix(".lessons") if lessons is None else lessons
+        show_facts(train_physical_networks(output, folder, batches, seed, small), as_json)
+        return
     from skydome.training.lessons import teacher_named
     from skydome.training.recipes import recipe_named
 

@@ -10,5 +10,4 @@
 - solver_kernel  The compiled steps of it
 - lessons        Solved airs in a folder: a run goes on where it was stopped
 - training       Shapes and networks from lessons
-- __main__       Both in one command
 """

@@ -17,13 +17,13 @@ from skydome.skies.all_air.rest import Rest, RestNetwork, cosine_series, feature
 from skydome.skies.all_air.rest_files import save_rest
 
 NODES = VIEWS * AZIMUTHS
-TERMS = 13
-"""Cosines of the azimuth in a shape."""
+FIRST_CASES = 30_000
+"""Shapes and coefficients are found from at most so many cases, the light is then learned from all."""
 
 
 class Course(NamedTuple):
-    """Between which elevations, degrees, what is learned: shapes of mean air and others, the network's width, steps
-    in all, and the error beyond which a case counts less.
+    """Between which elevations, degrees, what is learned: shapes of mean air and others, the network's width, steps in
+    all, cosines of the azimuth in a shape, and the error beyond which a case counts less.
     """
 
     low: float
@@ -32,10 +32,14 @@ class Course(NamedTuple):
     tamed: float
     mean_shapes: int = 13
     width: int = 96
-    steps: int = 18_000
+    steps: int = 30_000
+    terms: int = 13
 
 
 DAY, TWILIGHT = Course(-1.0, 90.0, 24, 0.1), Course(-18.0, 3.0, 32, 0.3)
+SMALL_DAY = DAY._replace(shapes=8, mean_shapes=7, width=40, terms=7)
+SMALL_TWILIGHT = TWILIGHT._replace(shapes=10, mean_shapes=9, width=40, terms=7)
+"""Of networks under 30 kB, for the web."""
 
 
 def train_rest(
@@ -72,24 +76,30 @@ def inputs(lessons: Lessons) -> np.ndarray:
     return np.asarray(features(type(lessons.air)(*(part[:, None] for part in lessons.air)), lessons.sines))
 
 
-def azimuth_waves() -> np.ndarray:
-    """From cosine coefficients to the lessons' azimuths, (TERMS, AZIMUTHS)."""
-    return np.asarray(np.cos(np.outer(np.arange(TERMS), np.linspace(0, np.pi, AZIMUTHS))))
+def azimuth_waves(terms: int) -> np.ndarray:
+    """From cosine coefficients to the lessons' azimuths, (terms, AZIMUTHS)."""
+    return np.asarray(np.cos(np.outer(np.arange(terms), np.linspace(0, np.pi, AZIMUTHS))))
 
 
 def whole(shapes: np.ndarray) -> np.ndarray:
-    """Shapes (S, VIEWS, TERMS) at all nodes, (S, NODES)."""
-    return np.asarray((shapes @ azimuth_waves()).reshape(len(shapes), NODES))
+    """Shapes (S, VIEWS, terms) at all nodes, (S, NODES)."""
+    return np.asarray((shapes @ azimuth_waves(shapes.shape[-1])).reshape(len(shapes), NODES))
+
+
+def mean_coefficients(sines: np.ndarray, places: tuple[float, float], count: int) -> np.ndarray:
+    """How much of each of the shapes of mean air there is under suns of such sines (N,), (N, count)."""
+    low, high = places
+    x = np.clip((2 * np.asarray(place_of(sines)) - low - high) / (high - low), -1, 1)
+    return np.asarray(cosine_series(x, count))
 
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """What training sets out from: the range of places, mean coefficients (N, mean), shapes (S, VIEWS, TERMS), and the
-    other shapes' coefficients to learn (N, shapes), scaled, with each one's weight.
+    """What training sets out from: the range of places, shapes (S, VIEWS, terms), and the other shapes' coefficients
+    to learn (N, shapes), scaled, with each one's weight.
     """
 
     places: tuple[float, float]
-    mean: np.ndarray
     shapes: np.ndarray
     wanted: np.ndarray
     weight: np.ndarray
@@ -98,8 +108,8 @@ class Start:
     def of(cls, lessons: Lessons, course: Course) -> "Start":
         """By least squares and singular values of log rest, weighted by the rest's share of the light."""
         low, high = (float(np.float16(place_of(np.sin(np.radians(edge))))) for edge in (course.low, course.high))
-        x = np.clip((2 * np.asarray(place_of(lessons.sines)) - low - high) / (high - low), -1, 1)
-        mean, logs = np.asarray(cosine_series(x, course.mean_shapes)), np.log(lessons.rest.astype(np.float64))
+        mean = mean_coefficients(lessons.sines, (low, high), course.mean_shapes)
+        logs = np.log(lessons.rest.astype(np.float64))
         first = np.linalg.lstsq(mean, logs, rcond=None)[0]
         logs -= mean @ first
         share = np.sqrt((lessons.rest / (lessons.rest + lessons.once)).mean(axis=0))
@@ -110,7 +120,8 @@ class Start:
         first[0] += middle @ others
         shapes = np.concatenate([first, others * size[:, None]]).reshape(-1, VIEWS, AZIMUTHS)
         weight = (size / size.max()) ** 2 + 0.003
-        return cls((low, high), mean, shapes @ np.linalg.pinv(azimuth_waves()), (found - middle) / size, weight)
+        series = shapes @ np.linalg.pinv(azimuth_waves(course.terms))
+        return cls((low, high), series, (found - middle) / size, weight)
 
 
 def taught(
@@ -119,13 +130,14 @@ def taught(
     """The network of a course, trained on the lessons that are not held back."""
     torch = require_torch()
     lessons = lessons.chosen(~lessons.held)
-    start, read = Start.of(lessons, course), inputs(lessons)[:, 0]
+    random, read = np.random.default_rng(seed), inputs(lessons)[:, 0]
+    first = np.sort(random.choice(len(read), min(len(read), FIRST_CASES), replace=False))
+    start = Start.of(lessons.chosen(first), course)
     middle, size = read.mean(axis=0), read.std(axis=0) + 1e-9
     torch.manual_seed(seed)
     net = layers(torch, read.shape[1], course)
-    random = np.random.default_rng(seed)
     given = torch.tensor((read - middle) / size, dtype=torch.float32)
-    learn_coefficients(torch, net, given, start, random, course.steps // 5)
+    learn_coefficients(torch, net, given[first], start, random, course.steps // 6)
     shapes = learn_light(torch, net, given, start, lessons, random, course, report)
     return RestNetwork(unscaled(net, middle, size), shapes, start.places)
 
@@ -143,7 +155,7 @@ def layers(torch: Any, count: int, course: Course) -> Any:
 
 
 def learn_coefficients(torch: Any, net: Any, given: Any, start: Start, random: np.random.Generator, steps: int) -> None:
-    """The first fifth: coefficients alone."""
+    """The first sixth: coefficients alone."""
     wanted, weight = (torch.tensor(part, dtype=torch.float32) for part in (start.wanted, start.weight))
     optimiser = torch.optim.AdamW(net.parameters(), 3e-3, weight_decay=1e-3)
     pace = torch.optim.lr_scheduler.OneCycleLR(optimiser, 4e-3, total_steps=steps)
@@ -164,11 +176,12 @@ def learn_light(
     report: Callable[[float], None],
 ) -> np.ndarray:
     """The rest of the steps: network and shapes, on the light of some nodes of some cases at a time; the shapes."""
-    mean, waves = (torch.tensor(part, dtype=torch.float32) for part in (start.mean, azimuth_waves()))
+    means = mean_coefficients(lessons.sines, start.places, course.mean_shapes)
+    mean, waves = (torch.tensor(part, dtype=torch.float32) for part in (means, azimuth_waves(course.terms)))
     shapes = torch.nn.Parameter(torch.tensor(start.shapes, dtype=torch.float32))
     share = torch.tensor(lessons.rest / (lessons.rest + lessons.once), dtype=torch.float32)
     logs = torch.tensor(np.log(lessons.rest), dtype=torch.float32)
-    steps = course.steps - course.steps // 5
+    steps = course.steps - course.steps // 6
     parts = [{"params": net.parameters(), "weight_decay": 1e-3}, {"params": [shapes], "weight_decay": 0.0}]
     optimiser = torch.optim.AdamW(parts, 2e-3)
     pace = torch.optim.lr_scheduler.OneCycleLR(optimiser, [3e-3, 1.5e-3], total_steps=steps, pct_start=0.1)

@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
+from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
-from skydome.air.profiles import STANDARD_1976, STRATOSPHERIC_LAYER
 from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range
 
@@ -47,27 +46,13 @@ class Optics(NamedTuple):
     ground: Array
 
 
-def clear_air(
-    aerosol_depth: Any = 0.1,
-    asymmetry: Any = 0.76,
-    pressure: Any = 101325.0,
-    ozone: Any = 330.0,
-    albedo: Any = USUAL_ALBEDO,
-    aerosol_albedo: Any = 0.92,
-    angstrom: Any = 1.3,
-    stratospheric_depth: Any = 0.006,
-) -> Atmosphere:
-    """The air that the physical sky was taught: US Standard Atmosphere 1976, aerosol of scale height 1.5 km, ozone,
-    and a background aerosol at 12-28 km that scatters all, g 0.7. Numbers may be arrays (...,) of any library.
+def clear_air(aerosol_depth: Any = 0.1, **others: Any) -> Atmosphere:
+    """The air that the physical sky was taught: `Atmosphere.standard`, under the name that this sky had for it.
 
     >>> [round(float(part.depth([550.0])[0]), 4) for part in clear_air().constituents]
-    [0.0971, 0.1, 0.0292, 0.006]
+    [0.0971, 0.094, 0.0292, 0.006]
     """
-    from skydome.air.phase_laws import HenyeyGreenstein
-
-    low = Aerosol(aerosol_depth, angstrom, aerosol_albedo, HenyeyGreenstein((asymmetry,)))
-    high = Aerosol(stratospheric_depth, 1.3, 1.0, HenyeyGreenstein((0.7,)), STRATOSPHERIC_LAYER)
-    return Atmosphere((Molecules(pressure, STANDARD_1976), low, Ozone(ozone), high), albedo)
+    return Atmosphere.standard(aerosol_depth, **others)
 
 
 def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:

@@ -1,0 +1,43 @@
+"""The physical sky's lessons and networks made anew, for `skydome simulate --for physical` and `skydome train`."""
+
+import time
+from pathlib import Path
+from typing import Any
+
+from skydome.cli.doors import progress
+
+PHYSICAL = "physical"
+"""What the options call this sky."""
+BATCHES = 256
+"""Of 16 airs each, where nobody says."""
+
+
+def make_physical_lessons(folder: Path, batches: int, seed: int) -> dict[str, Any]:
+    """Solves the batches that are missing in a folder; the facts."""
+    from skydome.own_air.all_air.lessons import make_lessons
+
+    with progress("simulating") as report:
+        made = make_lessons(folder, batches, seed, report=report)
+    return {"folder": str(folder), "batches": batches, "computed": made, "seed": seed}
+
+
+def train_physical_networks(output: Path, folder: Path, batches: int, seed: int, small: bool) -> dict[str, Any]:
+    """Trains both networks on a folder of lessons, filled up first; the facts with the errors on airs held back."""
+    from skydome.own_air.all_air.training import DAY, SMALL_DAY, SMALL_TWILIGHT, TWILIGHT, require_torch, train_rest
+
+    require_torch()
+    start = time.process_time()
+    made = make_physical_lessons(folder, batches, seed)
+    day, twilight = (SMALL_DAY, SMALL_TWILIGHT) if small else (DAY, TWILIGHT)
+    steps = {"day": day.steps, "twilight": twilight.steps}
+    done = dict.fromkeys(steps, 0)
+    with progress("training") as report:
+
+        def listen(name: str, loss: float) -> None:
+            done[name] = min(done[name] + 100, steps[name])
+            report(sum(done.values()), sum(steps.values()), f"{name}, error {loss:.5f}")
+
+        errors = train_rest(folder, output, day, twilight, seed, listen)
+    facts = {"file": str(output), "bytes": output.stat().st_size} | made
+    facts |= {f"rms_error_{name}": round(error, 5) for name, error in errors.items()}
+    return facts | {"processor_seconds": round(time.process_time() - start, 1)}
