@@ -1,5 +1,6 @@
 """The networks of the rest in a file: safetensors, float16; nothing is executed on reading."""
 
+from enum import Enum
 from functools import cache
 from importlib.resources import as_file
 from os import PathLike
@@ -56,8 +57,15 @@ def save_rest(path: str | PathLike[str], rest: Rest, provenance: str) -> None:
         beside.write_bytes(tensor_bytes(stored, {"format": FORMAT, "provenance": provenance}))
 
 
+class Networks(Enum):
+    """What the package carries: the networks that are used, and smaller ones, less true, for the web."""
+
+    FULL = "physical_sky.safetensors"
+    SMALL = "physical_sky_small.safetensors"
+
+
 @cache
-def shipped_rest() -> Rest:
-    """The networks that the package carries."""
-    with as_file(DATA / "physical_sky.safetensors") as path:
+def shipped_rest(networks: Networks = Networks.FULL) -> Rest:
+    """Networks that the package carries."""
+    with as_file(DATA / networks.value) as path:
         return load_rest(path)

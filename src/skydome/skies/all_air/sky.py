@@ -17,7 +17,7 @@ from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
-from skydome.skies.all_air.rest_files import load_rest, shipped_rest
+from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines, lit_rays
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
 from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
@@ -40,9 +40,9 @@ class PhysicalSky(AtmosphereSky):
     """The sky of any `atmosphere` for suns from -18 to 90 degrees: light scattered once exactly, the rest by a network.
 
     One sun or many, one air or many: `sun` (..., 3) and the numbers in `atmosphere` (...,) broadcast with the
-    directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: a file of
-    networks of one's own (None: the package's). `valid` tells whether the air was taught, at 380-780 nm. No
-    polarisation, no refraction. Errors and limits: docs/models/physical.md.
+    directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: those of
+    the package, smaller ones (`Networks.SMALL`), or a file of one's own. `valid` tells whether the air was taught, at
+    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. No polarisation. Errors and limits: docs/models/physical.md.
 
     >>> import skydome as sd
     >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
@@ -51,7 +51,7 @@ class PhysicalSky(AtmosphereSky):
     """
 
     atmosphere: Atmosphere = field(default_factory=clear_air)
-    networks: str | PathLike[str] | None = None
+    networks: str | PathLike[str] | Networks = Networks.FULL
     knows_twilight: ClassVar[bool] = True
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
@@ -64,7 +64,7 @@ class PhysicalSky(AtmosphereSky):
     @cached_property
     def rest(self) -> Rest:
         """The networks of the light scattered more than once."""
-        return shipped_rest() if self.networks is None else load_rest(self.networks)
+        return shipped_rest(self.networks) if isinstance(self.networks, Networks) else load_rest(self.networks)
 
     @cached_property
     def toward(self) -> Array:
