@@ -65,7 +65,7 @@ def test_altitude_lowers_the_pressure():
 
 
 def test_by_day_the_standard_air_is_what_it_was():
-    """Against molecules that thin by e each 8 km and no high aerosol: 1.5 % in the mean (870 nm, 10 degrees), 3.5 % anywhere."""
+    """Against molecules that thin by e each 8 km and no high aerosol: 1.5 % in the mean, 3.5 % anywhere."""
     old = sd.Atmosphere((sd.Molecules(profile=Exponential(8000.0)), sd.Aerosol(0.1), sd.Ozone()))
     views = sd.direction(*np.meshgrid(np.radians(np.arange(0, 181, 30)), np.radians([5.0, 20.0, 40.0, 60.0])))
     for elevation in (10.0, 45.0):

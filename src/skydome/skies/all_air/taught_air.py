@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from skydome.air.atmosphere import Atmosphere
+from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
+from skydome.air.cross_sections import STANDARD_PRESSURE
+from skydome.air.named_airs import BACKGROUND_DEPTH
 from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range
 
@@ -46,13 +48,31 @@ class Optics(NamedTuple):
     ground: Array
 
 
-def clear_air(aerosol_depth: Any = 0.1, **others: Any) -> Atmosphere:
+def clear_air(
+    aerosol_depth: Any = 0.1,
+    asymmetry: Any = 0.76,
+    pressure: Any = STANDARD_PRESSURE,
+    ozone: Any = 330.0,
+    albedo: Any = USUAL_ALBEDO,
+    aerosol_albedo: Any = 0.92,
+    angstrom: Any = 1.3,
+    stratospheric_depth: Any = BACKGROUND_DEPTH,
+) -> Atmosphere:
     """The air that the physical sky was taught: `Atmosphere.standard`, under the name that this sky had for it.
 
     >>> [round(float(part.depth([550.0])[0]), 4) for part in clear_air().constituents]
     [0.0971, 0.094, 0.0292, 0.006]
     """
-    return Atmosphere.standard(aerosol_depth, **others)
+    return Atmosphere.standard(
+        aerosol_depth,
+        asymmetry,
+        pressure,
+        ozone,
+        albedo,
+        aerosol_albedo=aerosol_albedo,
+        angstrom=angstrom,
+        stratospheric_depth=stratospheric_depth,
+    )
 
 
 def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
