@@ -157,9 +157,9 @@ def test_a_damaged_file_is_told_in_one_line(tmp_path):
 
     whole = (DATA / "physical_sky.safetensors").read_bytes()
     (tmp_path / "short.safetensors").write_bytes(whole[:2000])
-    with pytest.raises(ValueError, match=r"short\.safetensors is not a network file"):
+    with pytest.raises(ValueError, match=r"short\.safetensors, which is damaged or not a network file"):
         load_rest(tmp_path / "short.safetensors")
-    with pytest.raises(FileNotFoundError, match="must exist"):
+    with pytest.raises(FileNotFoundError):
         sd.PhysicalSky(sun_at(30.0), networks=tmp_path / "none.safetensors").radiance(sd.ZENITH, [550.0])
     save_rest(tmp_path / "again.safetensors", shipped_rest(), "copied")
     np.testing.assert_array_equal(load_rest(tmp_path / "again.safetensors").day.shapes, shipped_rest().day.shapes)

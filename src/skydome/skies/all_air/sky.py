@@ -42,7 +42,8 @@ class PhysicalSky(AtmosphereSky):
     One sun or many, one air or many: `sun` (..., 3) and the numbers in `atmosphere` (...,) broadcast with the
     directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: those of
     the package, smaller ones (`Networks.SMALL`), or a file of one's own. `valid` tells whether the air was taught, at
-    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. No polarisation. Errors and limits: docs/models/physical.md.
+    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. No polarisation. Errors and
+    limits: docs/models/physical.md.
 
     >>> import skydome as sd
     >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
