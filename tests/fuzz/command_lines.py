@@ -189,7 +189,7 @@ class Lines:
         asked += self.random.sample(known, min(len(known), self.random.choice([0, 0, 1, 1, 2, 3])))
         words = [command] if command else []
         if command in ("convert", "year", "glare", "terrain", "fit", "simulate", "evaluate", "animate"):
-            words.append(self.random.choice(["none.exr", "none.epw", ".", "/dev/null", "x" * 300]))
+            words.append(self.random.choice(["none.exr", "none.epw", ".", "none.npz", "x" * 300]))
         for option in asked:
             words.append(option)
             if self.random.random() < 0.97:
@@ -216,8 +216,8 @@ def fault(words, folder):
     before = set(Path().rglob("*"))
     answer = CliRunner().invoke(app_of(), words)
     new = [path for path in Path().rglob("*") if path not in before]
-    for path in new:
-        path.unlink()
+    for path in sorted(new, reverse=True):  # what is in a folder before it
+        path.rmdir() if path.is_dir() else path.unlink()
     lines = [
         line for line in answer.stderr.splitlines() if not line.startswith(("skydome: warning", "skydome: compiling"))
     ]
