@@ -105,7 +105,10 @@ def aware_time(text: str | None, zone: str | None) -> datetime:
     if text is None:
         return datetime.now(as_zone(zone)) if zone else datetime.now().astimezone()
     try:
-        utc: datetime = instants(text, zone).item().replace(tzinfo=UTC)
+        found = instants(text, zone).item()
+        if not isinstance(found, datetime) or not 2 <= found.year <= 9998:
+            raise ValueError(f"a time must lie in the years 2 to 9998, got {text!r}")
+        utc = found.replace(tzinfo=UTC)
     except ValueError as error:
         raise ValueError(str(error).replace("zone='Europe/Rome'", "--zone Europe/Rome")) from None
     if zone:
