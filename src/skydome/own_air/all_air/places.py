@@ -22,14 +22,14 @@ class Places:
     """
 
     heights: int = 22
-    views: int = 23
+    views: int = 19
     suns: int = 52
-    azimuths: int = 13
-    moments: int = 13
-    nodes: int = 20
-    nodes_once: int = 36
-    rising: int = 14
-    falling: int = 8
+    azimuths: int = 11
+    moments: int = 11
+    nodes: int = 16
+    nodes_once: int = 28
+    rising: int = 10
+    falling: int = 6
 
     @cached_property
     def height_nodes(self) -> np.ndarray:
