@@ -129,3 +129,20 @@ def test_the_disc(uniforms, tmp_path):
 def test_constants_cannot_hold_a_table():
     with pytest.raises(ValueError, match="PhysicalSky reads a table: ask for it with uniforms"):
         sd.shader(PAIRS["physical"][0], "glsl")
+
+
+@pytest.mark.parametrize("elevation", [0.4, 12.0])
+def test_the_disc_through_bending_air(elevation, tmp_path):
+    """Flattened, and brighter above than below: at the horizon by half within a third of the disc."""
+    sky = sd.PhysicalSky(sd.direction(200 * sd.deg, elevation * sd.deg))
+    disc = sd.SunDisc.of(sky)
+    function = machinery.compiled(sd.shader(sky + disc, "c", uniforms=True), tmp_path)
+    radius, centre = float(disc.angular_radius), sd.elevation(disc.sun)
+    height = np.concatenate([np.linspace(-0.75, 0.75, 13), [-1.04, 1.04]]) * radius / float(disc.stretch)
+    pointer, found = ctypes.POINTER(ctypes.c_float), np.empty((len(height), 3), np.float32)
+    views = sd.direction(200 * sd.deg, centre + height)
+    for view, colour in zip(views.astype(np.float32), found, strict=True):
+        function(*(part.ctypes.data_as(pointer) for part in (view, sd.shader_numbers(sky + disc), colour)))
+    wanted = sky.rgb(views) + disc.rgb(views)
+    np.testing.assert_allclose(found[:13, 0], wanted[:13, 0], rtol=0.06 if elevation < 1 else 0.01)
+    assert (found[13:, 0] < 0.1 * wanted[:13, 0].min()).all()

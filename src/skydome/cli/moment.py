@@ -131,6 +131,16 @@ def require_day(moment: Moment, model: str) -> None:
     )
 
 
+def require_twilight(moment: Moment) -> None:
+    """ValueError for a sun below the end of astronomical twilight, where the sky has no light of it."""
+    lowest = TWILIGHTS[-2][0]
+    if moment.elevation < lowest:
+        raise ValueError(
+            f"the sun must stand above {lowest} degrees, the end of astronomical twilight, got elevation "
+            f"{moment.elevation:.2f} degrees (night): the sky has no light of the sun then"
+        )
+
+
 def hint(moment: Moment, elevation: float) -> str:
     """Another way out for a sun whose disc is still seen, though its centre has truly set."""
     return ", or add --refraction" if moment.time is not None and elevation > -0.6 else ", see `skydome sun`"

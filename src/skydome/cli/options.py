@@ -36,7 +36,12 @@ class SunOptions:
         Option(metavar="AZ,EL", help="The sun's azimuth and elevation, degrees, instead.", rich_help_panel=WHEN),
     ] = None
     refraction: Annotated[
-        bool, Option("--refraction", help="The sun as seen through refracting air.", rich_help_panel=WHEN)
+        bool,
+        Option(
+            "--refraction",
+            help="The sun as seen through refracting air; physical bends light itself.",
+            rich_help_panel=WHEN,
+        ),
     ] = False
 
 
@@ -53,7 +58,7 @@ ModelName = Annotated[
 class SkyOptions(SunOptions):
     """A sky: the sun, the model and its parameters. None: not given."""
 
-    model: ModelName = "hosek-wilkie"
+    model: ModelName = "physical"
     turbidity: Annotated[
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
     ] = None
@@ -130,10 +135,10 @@ class SkyOptions(SunOptions):
 
 
 @dataclass(frozen=True)
-class LandOptions(SkyOptions):
-    """A sky over land: by default the physical one, of whose air the haze is made too."""
+class FormulaOptions(SkyOptions):
+    """A sky that can be written out as constants, by default."""
 
-    model: ModelName = "discrete-ordinates"
+    model: ModelName = "hosek-wilkie"
 
 
 def taking(*kinds: type) -> Callable[[Callable[..., None]], Callable[..., None]]:

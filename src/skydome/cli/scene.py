@@ -1,10 +1,10 @@
 """The light that the options ask for: sky, sun's disc, and what was decided for the user."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.models import build, turbidity_of
-from skydome.cli.moment import Moment, moment_of, require_day
+from skydome.cli.moment import Moment, moment_of, require_day, require_twilight
 from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
@@ -66,8 +66,10 @@ def moment_for(model: "Model", options: SkyOptions) -> Moment | None:
     alone = not model.has_sun and options.blend_overcast is None and options.direct_normal_irradiance is None
     if alone and (levelled or not given):
         return moment_of(options) if given else None
-    moment = moment_of(options)
-    if not model.kind.knows_twilight:
+    moment = moment_of(replace(options, refraction=options.refraction and not model.kind.bends_light))
+    if model.kind.knows_twilight:
+        require_twilight(moment)
+    else:
         require_day(moment, model.name)
     return moment
 

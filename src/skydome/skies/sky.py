@@ -36,6 +36,7 @@ class Sky(LabelledLight, Shown, ABC):
 
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
+    bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
@@ -140,6 +141,10 @@ class SunlitSky(Sky):
     def one_sun(self) -> bool:
         """Whether there is one sun, of shape (3,)."""
         return np.shape(self.sun) == (3,)
+
+    def own_disc(self, angular_radius: Any) -> "SunlitSky | None":
+        """The sun's disc through the sky's own air, where it bends light; None for others."""
+        return None
 
     @property
     def haze(self) -> Any:

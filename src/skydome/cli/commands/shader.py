@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from typer import Option
 
 from skydome.cli.doors import require_output
-from skydome.cli.options import AsJson, SkyOptions, taking
+from skydome.cli.options import AsJson, FormulaOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
 
@@ -19,9 +19,9 @@ TEXELS = 256
 """In a row of the texture that has the numbers."""
 
 
-@taking(SkyOptions)
+@taking(FormulaOptions)
 def shader(
-    options: SkyOptions,
+    options: FormulaOptions,
     lang: Annotated[str, Option(metavar="glsl|wgsl|hlsl|osl|c", help="The shading language.")] = "glsl",
     scale: Annotated[float, Option(help="Value of 1 cd m-2; 1e-4 suits a game exposed for noon.")] = 1.0,
     bands: Annotated[bool, Option("--bands", help="A spectral network's bands, W m-2 sr-1 nm-1, not RGB.")] = False,

@@ -8,15 +8,15 @@ from typer import Argument, Option
 from skydome.cli.doors import progress, require_picture
 from skydome.cli.map_file import Exposure
 from skydome.cli.moment import place_text
-from skydome.cli.options import AsJson, LandOptions, numbers, taking
+from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import labelled_rows, show
 from skydome.cli.scene import scene_of
 from skydome.ground.extras import required
 
 
-@taking(LandOptions)
+@taking(SkyOptions)
 def terrain(
-    options: LandOptions,
+    options: SkyOptions,
     land_file: Annotated[Path, Argument(help="An elevation model: .tif (with georeference), .npz or .hgt.")],
     output: Annotated[Path, Option("--output", "-o", help="picture.png, or picture.exr with the depth in Z.")],
     camera: Annotated[

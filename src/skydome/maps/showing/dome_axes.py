@@ -28,7 +28,7 @@ def draw_luminance(axes: "Axes", sky: Any) -> None:
     from matplotlib.colors import LogNorm, Normalize
 
     dome = Fisheye()
-    light = np.asarray(as_numpy(sky.luminance(dome.directions(SIDE))))
+    light = np.asarray(as_numpy(sky.for_maps.luminance(dome.directions(SIDE))))
     shown = np.ma.masked_where(~dome.valid(SIDE) | ~(light > 0), light)
     low, high = limits(shown.compressed())
     image = axes.imshow(

@@ -7,6 +7,7 @@
 - column_tables       Densities and columns of constituents as tables that any library looks up
 - spectral_nodes      Eleven wavelengths that stand for the spectrum in colours
 - blocks              Work on arrays that broadcast, some of it at a time
+- bent_sun            The sun's disc through that air: lifted, flattened, reddened
 - rest                What is scattered more than once, by networks over shapes of the dome
 - rest_files          Those networks in a file
 """

@@ -13,6 +13,7 @@ from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concre
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, inside
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.lit_air import LitAir
@@ -25,6 +26,7 @@ from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.sky import Sky
+from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 LOWEST = float(np.sin(np.radians(-18.0)))
 """Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
@@ -54,6 +56,7 @@ class PhysicalSky(AtmosphereSky):
     atmosphere: Atmosphere = field(default_factory=clear_air)
     networks: str | PathLike[str] | Networks = Networks.FULL
     knows_twilight: ClassVar[bool] = True
+    bends_light: ClassVar[bool] = True
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
     def __post_init__(self) -> None:
@@ -83,6 +86,17 @@ class PhysicalSky(AtmosphereSky):
     def seen_sun(self) -> Array:
         """The sun (..., 3) where it is seen, lifted by the air: the middle of its glow."""
         return as_seen(self.tables, self.toward)
+
+    def own_disc(self, angular_radius: Any) -> BentSun | None:
+        """The sun's disc through the same air; None for many airs, and where the sky is another library's than NumPy's."""
+        one = is_numpy(self.toward) and all(part.depth(NODES).ndim == 1 for part in self.atmosphere.constituents)
+        return BentSun.through(self.atmosphere, self.toward, angular_radius) if one else None
+
+    @property
+    def direct_normal_illuminance(self) -> Array | float:
+        """Illuminance of the sun through this air on a plane that faces it, lx, shape (...,); 0 when it has set."""
+        disc = self.own_disc(MEAN_RADIUS / self.sun_distance)
+        return super().direct_normal_illuminance if disc is None else disc.normal_xyz[..., 1]
 
     @property
     def is_day(self) -> Array:

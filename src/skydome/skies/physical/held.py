@@ -69,6 +69,10 @@ class HeldSky(SunlitSky, ColourSky):
         """True where the sun stands above -12 degrees, or the horizon if the sky knows no twilight."""
         return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.sky.knows_twilight else 0.0))
 
+    def own_disc(self, angular_radius: Any) -> SunlitSky | None:
+        """That of the sky that is held."""
+        return self.sky.own_disc(angular_radius)
+
     @property
     def sun_distance(self) -> Any:
         """Distance of the sun, AU, that the sky knows."""

@@ -127,6 +127,9 @@ class SunDisc(SunlitSky, SpectralSky):
         for part in sky.parts:
             if (lit := part.sunlit) is None:
                 continue
+            own = lit.own_disc(radius_of(lit) if angular_radius is None else angular_radius)
+            if isinstance(own, cls) and turbidity is None:
+                return own
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
                 known = 3.0 if known is None else known
@@ -205,6 +208,11 @@ class SunDisc(SunlitSky, SpectralSky):
         xp = namespace(self.sun, normal)
         cosine = xp.sum(checked_directions(normal, "normal") * floating(self.sun), axis=-1)
         return self.normal_xyz[..., 1] * at_least(cosine, 0.0)
+
+    @property
+    def stretch(self) -> Any:
+        """How much further apart than they are seen points of the disc stand, up and down: 1 where light is straight."""
+        return 1.0
 
     def mu(self, directions: Array) -> tuple[Array, Array]:
         """Cosine on the sun's surface (...,) and whether the direction meets the disc: sqrt(1 - (sin g / sin R)^2)."""

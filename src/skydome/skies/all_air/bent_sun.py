@@ -1,0 +1,114 @@
+"""The sun's disc through air that bends its light: lifted, flattened at the horizon, reddened from limb to limb."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
+from skydome.ground.directions import checked_directions, tangent_frame
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.single_scattering import as_seen
+from skydome.skies.suns.atmosphere_sun import AtmosphereSun
+from skydome.skies.suns.sun_disc import limb_darkening, limb_mean
+
+SPOTS = 256
+"""Points of the disc that its irradiance is summed over."""
+
+
+@dataclass(frozen=True, eq=False)
+class BentSun(AtmosphereSun):
+    """The sun that belongs to a `PhysicalSky` (`SunDisc.of(sky)`): `sun` is where its centre is seen, `standing`
+    (..., 3) where it stands without air.
+
+    What is below the horizon is not seen: a setting sun loses its light limb first.
+
+    >>> import skydome as sd
+    >>> suns = sd.direction(azimuth=0.0, elevation=np.array([[0.2], [-0.5], [-1.0]]) * sd.deg)
+    >>> [bool(light > 0) for light in sd.SunDisc.of(sd.PhysicalSky(suns)).normal_xyz[:, 0, 1]]
+    [True, True, False]
+    """
+
+    standing: Any = field(default=None, kw_only=True)
+    source: ClassVar[str] = "the atmosphere's sunlight and depths along bent rays; limb darkening of Hosek and Wilkie"
+
+    @classmethod
+    def through(cls, air: Atmosphere, standing: Array, angular_radius: Any) -> Self:
+        """The disc of a sun that stands toward `standing` (..., 3) without air."""
+        sun = np.asarray(standing, np.float64)
+        return cls(as_seen(ColumnTables.of(air), sun), angular_radius=angular_radius, atmosphere=air, standing=sun)
+
+    @cached_property
+    def tables(self) -> ColumnTables:
+        """Columns of the air, and how it bends light."""
+        return ColumnTables.of(self.atmosphere)
+
+    @property
+    def is_day(self) -> Array:
+        """True where some of the disc is seen, boolean array (...,)."""
+        lowest = np.sin(self.tables.bent.horizon[0] - np.asarray(self.angular_radius, np.float64))
+        return np.asarray(self.standing[..., 2] > lowest)
+
+    def left(self, sine: Array, wavelengths: Any) -> Array:
+        """Transmittance of the air toward sines of apparent elevations (...,), (..., W)."""
+        depths = np.stack([np.asarray(part.depth(wavelengths)) for part in self.atmosphere.constituents])
+        columns = self.tables.toward(np.zeros_like(sine), at_least(sine, 0.0))
+        return np.asarray(np.exp(-columns @ depths) * self.atmosphere.sun_at(wavelengths))
+
+    def centre_radiance(self, wavelengths: Any) -> Array:
+        """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""
+        light = self.left(floating(self.sun)[..., 2], wavelengths)
+        return light / (limb_mean(wavelengths) * (np.pi * np.sin(self.angular_radius) ** 2))
+
+    def spots(self, count: int, wavelengths: Any) -> tuple[Array, Array]:
+        """Where points evenly over the disc are seen, (..., count, 3), and the irradiance of each, (..., count, W)."""
+        k = np.arange(count)
+        square, turn = (k + 0.5) / count, k * np.pi * (3 - np.sqrt(5.0))
+        sun = self.standing if self.standing.ndim > 1 else self.standing[None]
+        sine = np.sqrt(square) * np.sin(self.angular_radius)
+        u, v = tangent_frame(sun)
+        across = (sine * np.cos(turn))[:, None] * u + (sine * np.sin(turn))[:, None] * v
+        true = across + np.sqrt(1 - sine**2)[:, None] * sun
+        seen = as_seen(self.tables, true)
+        share = self.tables.seen(np.zeros(true.shape[:-1]), np.arcsin(np.clip(true[..., 2], -1, 1)))[1]
+        light = self.left(seen[..., 2], wavelengths) * limb_darkening(np.sqrt(1 - square), wavelengths)
+        return seen, light * (share * (seen[..., 2] >= 0))[..., None] / (limb_mean(wavelengths) * count)
+
+    def published_irradiance(self, wavelengths: Any) -> Array:
+        """Direct normal irradiance of what is seen of the disc, W m-2 nm-1, shape (..., W)."""
+        light = self.spots(SPOTS, wavelengths)[1].sum(axis=-2)
+        return light[..., None, :] if self.standing.ndim > 1 else light
+
+    def points(self, count: int) -> tuple[Array, Array]:
+        """Directions (..., count, 3) over what is seen of the disc, and the XYZ of the light that each carries."""
+        directions, light = self.spots(count, self.bands)
+        xyz = light @ xyz_weights(self.bands)
+        total = xyz.sum(axis=-2, keepdims=True)
+        normal = self.normal_xyz if self.standing.ndim > 1 else self.normal_xyz[None]
+        return directions, xyz * safe_divide(normal, np.broadcast_to(total, normal.shape))
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
+        directions = checked_directions(directions, like=self.sun)
+        sine = limited(directions[..., 2], 0.0, 1.0)
+        turned = self.tables.turned(np.zeros_like(sine), sine)
+        below = np.arcsin(sine) - turned
+        flat = safe_divide(np.cos(below), safe_sqrt(1 - sine * sine))
+        true = np.stack([directions[..., 0] * flat, directions[..., 1] * flat, np.sin(below)], axis=-1)
+        off = np.linalg.norm(true - self.standing, axis=-1) / (2 * np.sin(self.angular_radius / 2))
+        light = self.left(sine, wavelengths) / (limb_mean(wavelengths) * np.pi * np.sin(self.angular_radius) ** 2)
+        light = light * self.factor[..., None] * limb_darkening(safe_sqrt(1 - off * off), wavelengths)
+        xp = namespace(light)
+        return self.blanked(xp.where((off <= 1)[..., None], light, constant(0.0, light)), directions)
+
+    @property
+    def stretch(self) -> Any:
+        """How much further apart than they are seen points of the disc stand, up and down, at its centre."""
+        sine = np.asarray(np.clip(np.asarray(self.sun)[..., 2], 0, 1))
+        step = np.array([0.0, 1.0]) * self.angular_radius
+        elevation = np.arcsin(sine)[..., None] + step
+        true = elevation - self.tables.turned(np.zeros_like(elevation), np.sin(elevation))
+        return np.asarray((true[..., 1] - true[..., 0]) / self.angular_radius)
