@@ -210,3 +210,20 @@ def test_colour_is_not_asked_of_luminance():
         sd.fit(sd.Perez, views, np.ones((50, 3)))
     with pytest.raises(TypeError, match="fit needs directions"):
         sd.fit(sd.Perez, views)
+
+
+def test_air_of_the_physical_sky():
+    """Sun and haze from a map; haze, exponent, ozone, lobe and ground from colours under a known sun."""
+    sun, air = toward("middle"), {"aerosol_depth": 0.23, "albedo": 0.2}
+    picture = sd.render(sd.PhysicalSky.from_numbers(sun=sun, **air), height=32)
+    found = sd.fit(sd.PhysicalSky, picture, initial={"sun": sd.direction(4.05, 34 * sd.deg)})
+    assert found.determined
+    assert abs(found.parameters["aerosol_depth"] - 0.23) < 0.002
+    assert degrees_off(found, sun) < 0.05
+    low, views = toward("low"), spiral(300)
+    air |= {"angstrom": 0.8, "ozone": 280.0, "asymmetry": 0.7}
+    seen = sd.PhysicalSky.from_numbers(sun=low, **air).xyz(views)
+    free = ("aerosol_depth", "angstrom", "ozone", "asymmetry", "albedo")
+    found = sd.fit(sd.PhysicalSky, views, seen, free=free, initial={"sun": low}, space=None)
+    for name in free:
+        assert found.parameters[name] == pytest.approx(air[name], rel=0.03), name

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import DARK_GREEN, Atmosphere
+from skydome.air.constituents import Aerosol
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.evaluation.evaluation import SkyOf
-from skydome.skies.all_air.taught_air import TAUGHT
+from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.all_air.taught_air import TAUGHT, clear_air
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
@@ -49,6 +51,19 @@ def plain_air(depth: float, asymmetry: float, distance: float = 1.0) -> Atmosphe
     return Atmosphere.standard(depth, asymmetry, GROUND, 330.0, DARK_GREEN, sun_scale=distance**-2)
 
 
+def taught_air(depth: float, asymmetry: float, distance: float = 1.0) -> Atmosphere:
+    """The same of the profiles that the physical sky was taught."""
+    air = clear_air(depth, asymmetry, GROUND, albedo=DARK_GREEN)
+    return replace(air, sun_scale=distance**-2)
+
+
+def taught_two_lobes(depth: float, share: float, narrow: float, wide: float, distance: float = 1.0) -> Atmosphere:
+    """The same with an aerosol of two Henyey-Greenstein lobes, `share` of them the narrow one."""
+    molecules, aerosol, *others = taught_air(depth, 0.7, distance).constituents
+    lobes = Aerosol(depth, phase=HenyeyGreenstein((narrow, wide), (share, 1 - share)), profile=aerosol.profile)
+    return replace(taught_air(depth, 0.7, distance), constituents=(molecules, lobes, *others))
+
+
 def two_lobe_air(depth: float, share: float, narrow: float, wide: float, distance: float = 1.0) -> Atmosphere:
     """The same with an aerosol of two Henyey-Greenstein lobes, `share` of them the narrow one."""
     law = HenyeyGreenstein((narrow, wide), (share, 1 - share))
@@ -79,12 +94,13 @@ TURBIDITY = 2.5
 def of_air(model: AirModel) -> EvaluatedModel:
     """A sky of the catalogue in plain air; what is noisy is not fitted."""
     kind: Any = model.kind
+    air = taught_air if isinstance(model, PhysicalModel) else plain_air
     taught = {"asymmetry": (TAUGHT["asymmetry"].low, TAUGHT["asymmetry"].high)}
     limits = PLAIN_LIMITS | (taught if isinstance(model, PhysicalModel) else {})
     limits = {} if isinstance(model, TracedModel) else limits
     return EvaluatedModel(
         model.name,
-        lambda sun, depth, asymmetry, distance: kind(sun, plain_air(depth, asymmetry, distance)),
+        lambda sun, depth, asymmetry, distance: kind(sun, air(depth, asymmetry, distance)),
         PLAIN,
         limits,
         model.failures,
@@ -115,6 +131,14 @@ def models() -> dict[str, EvaluatedModel]:
             {"depth": 0.068, "share": 0.37, "narrow": 0.853, "wide": 0.609},
             {"depth": (0.005, 0.5), "share": (0.0, 1.0), "narrow": (0.7, 0.97), "wide": (0.0, 0.8)},
             "its aerosol has been fitted to this day and place",
+            knows_distance=True,
+        ),
+        EvaluatedModel(
+            "physical-two-lobes",
+            lambda sun, **numbers: PhysicalSky(sun, taught_two_lobes(**numbers), check="clamp"),
+            {"depth": 0.068, "share": 0.37, "narrow": 0.853, "wide": 0.609},
+            {"depth": (0.005, 0.5), "share": (0.0, 1.0), "narrow": (0.7, 0.97), "wide": (0.0, 0.8)},
+            "its aerosol has been fitted to this day and place; no polarisation (up to 7 % at 400 nm)",
             knows_distance=True,
         ),
         EvaluatedModel(

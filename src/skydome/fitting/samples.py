@@ -12,6 +12,9 @@ from skydome.maps.environment_map import EnvironmentMap
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.sky import Sky
 
+MANY = 1000
+"""From so many directions on skies answer as for maps."""
+
 
 @dataclass(frozen=True, eq=False)
 class Observations:
@@ -30,6 +33,7 @@ class Observations:
 
     def light(self, sky: Sky, directions: np.ndarray) -> np.ndarray:
         """The light of a sky in the quantity observed: luminance, RGB or XYZ."""
+        sky = sky.for_maps if len(directions) > MANY else sky
         if self.values.ndim == 1:
             return as_numpy(sky.luminance(directions))
         if not isinstance(sky, ColourSky):

@@ -33,6 +33,8 @@ KNOWN = {
     "scale": Unknown(1.0, 0.0, np.inf, 1.0),
     "zenith_luminance": Unknown(5e3, 0.0, np.inf, 5e3),
     "illuminance": Unknown(1.5e4, 0.0, np.inf, 1.5e4),
+    "aerosol_depth": Unknown(0.1, 0.0, 1.0, 0.3, (0.03, 0.1, 0.3)),
+    "ozone": Unknown(330.0, 0.0, 600.0, 300.0),
     "a": Unknown(-1.0, -20.0, 20.0, 2.0),
     "b": Unknown(-0.3, -20.0, 0.0, 1.0),
     "c": Unknown(5.0, -5.0, 200.0, 10.0),
@@ -44,7 +46,7 @@ KNOWN = {
 
 def unknown_of(model: type[Sky], name: str) -> Unknown:
     """The unknown `name`, its limits narrowed to the model's own range: all of it where nothing else is known."""
-    interval = model.ranges.get(name)
+    interval = model.ranges.get(name) or model.numbers_of_air.get(name)
     if interval is None:
         return KNOWN[name]
     known = KNOWN.get(name)
@@ -72,7 +74,7 @@ class Problem:
         given = dict({} if initial is None else initial) if isinstance(initial, Mapping | None) else None
         require_kind(given, dict, "initial", '{"turbidity": 3.0}')
         require_kind(free, Sequence | None, "free", '["turbidity"]')
-        own = [item.name for item in fields(model) if item.name != "check"]
+        own = [*(item.name for item in fields(model) if item.name != "check"), *model.numbers_of_air]
         free = usually_fitted(model) if free is None else tuple(free)
         if not free:
             raise ValueError(f"free must name what is to be found of {model.__name__}, from {', '.join(own)}, scale")
@@ -80,7 +82,11 @@ class Problem:
             if name not in (*own, "scale"):
                 allowed = ", ".join([*own, "scale"])
                 raise ValueError(f"{model.__name__} has no parameter {name!r}; allowed are {allowed}")
-        known = list(dict.fromkeys([*KNOWN, *(name for name, span in model.ranges.items() if span.is_finite)]))
+        known = list(
+            dict.fromkeys(
+                [*KNOWN, *(name for name, span in model.ranges.items() if span.is_finite), *model.numbers_of_air]
+            )
+        )
         unfit = [name for name in free if name != "sun" and name not in known]
         if unfit or len(set(free)) < len(free):
             raise ValueError(f"free may name sun, {', '.join(known)}, each once; got {', '.join(free)}")
@@ -89,7 +95,11 @@ class Problem:
             if sun.shape != (3,):
                 raise ValueError(f"the initial sun must have shape (3,), got {sun.shape}")
             given["sun"] = sun
-        needed = [item.name for item in fields(model) if item.default is MISSING and item.name not in (*free, *given)]
+        needed = [
+            item.name
+            for item in fields(model)
+            if item.default is item.default_factory is MISSING and item.name not in (*free, *given)
+        ]
         if needed:
             raise ValueError(f"{model.__name__} needs {', '.join(needed)}: name them in free, or hold them by initial")
         fixed = {name: value for name, value in given.items() if name not in free}
@@ -120,7 +130,7 @@ class Problem:
         """The sky of the parameters `values`, the fixed ones added, times its scale."""
         everything = dict(self.fixed) | dict(values)
         scale = everything.pop("scale", 1.0)
-        sky = self.model(**everything, check=check)
+        sky = self.model.from_numbers(**everything, check=check)
         return sky if isinstance(scale, float) and scale == 1.0 else sky * scale
 
 

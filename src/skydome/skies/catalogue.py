@@ -44,6 +44,7 @@ CATALOGUE: tuple[Model, ...] = (
     PhysicalModel(
         "physical",
         PhysicalSky,
+        fitted=("sun", "aerosol_depth"),
         failures="no polarisation (up to 7 % at 400 nm) and no refraction; one lobe of aerosol unless given more",
     ),
     Model(

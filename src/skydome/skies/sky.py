@@ -4,16 +4,16 @@ What else a sky can do, it declares: a sun, twilight, albedo, the `single` sky o
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
-from skydome.ground.limits.ranges import WEIGHT, require
+from skydome.ground.limits.ranges import WEIGHT, Range, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
 from skydome.skies.labelled import LabelledLight
@@ -37,6 +37,12 @@ class Sky(LabelledLight, Shown, ABC):
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
+    numbers_of_air: ClassVar[Mapping[str, Range]] = {}  # what `from_numbers` makes air of, beside parameters
+
+    @classmethod
+    def from_numbers(cls, **parameters: Any) -> Self:
+        """The sky of its parameters, and of the numbers of its air."""
+        return cls(**parameters)
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:

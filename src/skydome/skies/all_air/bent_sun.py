@@ -106,7 +106,7 @@ class BentSun(AtmosphereSun):
 
     @property
     def stretch(self) -> Any:
-        """How much further apart than they are seen points of the disc stand, up and down, at its centre."""
+        """How much higher the disc stands than it is seen, at its centre."""
         sine = np.asarray(np.clip(np.asarray(self.sun)[..., 2], 0, 1))
         step = np.array([0.0, 1.0]) * self.angular_radius
         elevation = np.arcsin(sine)[..., None] + step

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from os import PathLike
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -57,6 +57,14 @@ class PhysicalSky(AtmosphereSky):
     networks: str | PathLike[str] | Networks = Networks.FULL
     knows_twilight: ClassVar[bool] = True
     bends_light: ClassVar[bool] = True
+    numbers_of_air: ClassVar = {
+        "aerosol_depth": Range(0.0, 0.9),
+        "angstrom": Range(0.0, 2.5),
+        "asymmetry": Range(0.48, 0.92),
+        "aerosol_albedo": Range(0.6, 1.0),
+        "ozone": Range(0.0, 600.0, "DU"),
+        "albedo": Range(0.0, 1.0),
+    }
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
     def __post_init__(self) -> None:
@@ -64,6 +72,12 @@ class PhysicalSky(AtmosphereSky):
         require_earth(self.atmosphere)
         if self.check == "raise":
             require_taught(optics(self.atmosphere, SpectralSky.bands, self.toward))
+
+    @classmethod
+    def from_numbers(cls, **parameters: Any) -> Self:
+        """The sky in `clear_air` of the numbers given of it."""
+        air = {name: parameters.pop(name) for name in cls.numbers_of_air if name in parameters}
+        return cls(**(parameters | ({"atmosphere": clear_air(**air)} if air else {})))
 
     @cached_property
     def rest(self) -> Rest:
@@ -88,7 +102,7 @@ class PhysicalSky(AtmosphereSky):
         return as_seen(self.tables, self.toward)
 
     def own_disc(self, angular_radius: Any) -> BentSun | None:
-        """The sun's disc through the same air; None for many airs, and where the sky is another library's than NumPy's."""
+        """The sun's disc through the same air; None for many airs, and in other libraries than NumPy."""
         one = is_numpy(self.toward) and all(part.depth(NODES).ndim == 1 for part in self.atmosphere.constituents)
         return BentSun.through(self.atmosphere, self.toward, angular_radius) if one else None
 

@@ -211,7 +211,7 @@ class SunDisc(SunlitSky, SpectralSky):
 
     @property
     def stretch(self) -> Any:
-        """How much further apart than they are seen points of the disc stand, up and down: 1 where light is straight."""
+        """How much higher the disc stands than it is seen, from limb to limb: 1 where light is straight."""
         return 1.0
 
     def mu(self, directions: Array) -> tuple[Array, Array]:
