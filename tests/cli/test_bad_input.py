@@ -46,7 +46,7 @@ CASES = {
         ("either", "both"),
     ),
     "level below 0": ((*DAY, "--model", "uniform", "--illuminance", "-1"), ("-1",)),
-    "level of a model that has its own": ((*DAY, "--zenith-luminance", "1"), ("hosek-wilkie", "--zenith-luminance")),
+    "level of a model that has its own": ((*DAY, "--zenith-luminance", "1"), ("physical", "--zenith-luminance")),
     "colour of a model that has its own": ((*DAY, "--chromaticity", "0.3,0.3"), ("--chromaticity",)),
     "chromaticity": ((*DAY, "--model", "cie-1", "--chromaticity", "0.9,0.9"), ("chromaticity", "0.9")),
     "no letters": ((*DAY, "--model", "perez", "--illuminance", "1"), ("--letters",)),
@@ -56,7 +56,7 @@ CASES = {
     "dni below 0": ((*DAY, *PEREZ, "--dni", "-3", "--dhi", "100"), ("direct_normal_irradiance", "-3")),
     "dni below 0, disc": ((*DAY, "--dni", "-3"), ("-3",)),
     "compat": ((*DAY, *PEREZ, "--dni", "300", "--dhi", "100", "--compat", "x"), ("gendaylit", "x")),
-    "dhi of another model": ((*DAY, "--dhi", "100"), ("hosek-wilkie", "--dhi")),
+    "dhi of another model": ((*DAY, "--dhi", "100"), ("physical", "--dhi")),
     "check": ((*DAY, "--check", "ignore"), ("clamp", "ignore")),
     "blend": ((*DAY, "--blend-overcast", "1.5"), ("fraction", "[0, 1]", "1.5")),
     "sun": (("--sun", "180"), ("--sun", "2 numbers")),
@@ -89,6 +89,14 @@ def test_a_sun_below_the_horizon_is_refused_with_its_twilight(refused, tmp_path,
     assert model in line
     assert "end at elevation 0" in line
     assert list(tmp_path.iterdir()) == []
+
+
+def test_twilight_needs_no_other_model_and_night_is_refused(refused, call, tmp_path):
+    dusk = (*PLACE, "--time", "2026-06-21T22:20+02:00", "--height", "16", "-o", tmp_path / "sky.exr")
+    assert call("render", *dusk).exit_code == 0
+    line = refused("render", *PLACE, "--time", "2026-12-21T23:00+01:00", "-o", tmp_path / "night.exr")
+    assert "the sun must stand above -18 degrees" in line
+    assert "(night)" in line
 
 
 OUTPUTS = {

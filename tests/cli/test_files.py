@@ -37,7 +37,7 @@ def test_place_time_model_and_version_are_in_the_header(call, when, tmp_path):
     assert (picture.metadata["latitude"], picture.metadata["altitude"]) == (pytest.approx(45.07), 240)
     assert picture.metadata["time"].isoformat() == "2026-06-21T15:00:00+02:00"
     assert picture.metadata["software"] == f"skydome {sd.__version__}"
-    assert "HosekWilkie" in picture.metadata["model"]
+    assert "PhysicalSky" in picture.metadata["model"]
     assert picture.space == sd.ACESCG
 
 

@@ -32,7 +32,7 @@ def told(*arguments):
 
 
 def test_a_plane_before_hills_is_the_librarys(profile):
-    facts = told("--plane", "30,180", "--horizon", profile, *WHEN, "--turbidity", 4)
+    facts = told("--plane", "30,180", "--horizon", profile, *WHEN, "--model", "hosek-wilkie", "--turbidity", 4)
     time = "2026-06-21T15:00+02:00"
     sky = sd.HosekWilkie(sd.sun_direction(sd.Place(45.07, 7.69, 240), time), turbidity=4.0, albedo=0.2)
     disc = sd.SunDisc.of(sky, angular_radius=float(sd.solar_radius(time)))

@@ -16,7 +16,7 @@ def sun():
 
 
 def test_light_of_hosek_wilkie_is_the_librarys(facts, when, sun):
-    told = facts("light", *when, "--turbidity", 4, "--albedo", 0.3, "--normal", "180,0")
+    told = facts("light", *when, "--model", "hosek-wilkie", "--turbidity", 4, "--albedo", 0.3, "--normal", "180,0")
     sky = sd.HosekWilkie(sun, turbidity=4.0, albedo=0.3)
     disc = sd.SunDisc.of(sky, angular_radius=float(sd.solar_radius(INSTANT)))
     light = told["illuminance_lx"]
@@ -62,9 +62,23 @@ def test_the_direction_of_the_sun_may_be_given(facts):
 
 
 def test_refraction_lifts_a_sun_that_has_just_set(facts, refused):
-    low = ("--place", "45.07,7.69", "--time", "2026-06-21T21:16+02:00")
+    low = ("--place", "45.07,7.69", "--time", "2026-06-21T21:16+02:00", "--model", "hosek-wilkie")
     assert "--refraction" in refused("light", *low)
     assert 0 < facts("light", *low, "--refraction")["sun"]["elevation_deg"] < 0.6
+
+
+def test_the_default_is_the_physical_sky_whose_air_bends_light_itself(facts, when):
+    told = facts("light", *when, "--turbidity", 2.5, "--albedo", 0.3)
+    sun = sd.sun_direction(TURIN, INSTANT)
+    assert told["model"] == "physical"
+    assert told["sun"] == facts("light", *when, "--refraction")["sun"]
+    air = sd.clear_air(1.5 * 0.097093, albedo=0.3)  # turbidity 2.5
+    distance = float(sd.earth_sun_distance(INSTANT))
+    wanted = sd.PhysicalSky(sun, air).luminance(sd.ZENITH) / distance**2
+    assert told["zenith_luminance_cd_m2"] == pytest.approx(float(wanted), rel=1e-4)
+    evening = facts("light", "--sun", "280,-4")["illuminance_lx"]
+    assert evening["direct"] == 0
+    assert 10 < evening["diffuse"] < 100
 
 
 EXTRA = {

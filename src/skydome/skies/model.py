@@ -4,7 +4,10 @@ from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import Any
 
+import numpy as np
+
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
+from skydome.ground.limits.ranges import Range
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.colour_sky import SpectralSky
@@ -20,6 +23,10 @@ from skydome.skies.validity import Check
 
 USUAL = {"turbidity": 3.0, "albedo": USUAL_ALBEDO}
 """What is taken where nobody says: clear air over dry land."""
+
+
+TAUGHT_TURBIDITY = Range(1.0, 10.0)
+"""Of the physical sky: more haze was not taught."""
 
 
 @dataclass(frozen=True)
