@@ -142,16 +142,19 @@ def test_glare_looks_where_the_file_says(facts, tmp_path, suffix):
 
 
 def test_scale_gamut_and_exposure_are_told(facts, refused, tmp_path):
-    low, exr, hdr, png = ("--sun", "180,2", "--height", 64), *(tmp_path / f"sky.{end}" for end in ("exr", "hdr", "png"))
+    low, exr, hdr, png = (
+        ("--model", "hosek-wilkie", "--sun", "180,2", "--height", 64),
+        *(tmp_path / f"sky.{end}" for end in ("exr", "hdr", "png")),
+    )
     assert facts("render", *low, "-o", exr)["white_luminance_cd_m2"] == 1
     assert facts("render", *low, "--half", "-o", exr)["white_luminance_cd_m2"] == 1e5
     assert facts("render", *low, "--half", "--no-sun", "-o", exr)["white_luminance_cd_m2"] == 1e5
     assert facts("render", *low, "--half", "--white-luminance", 5e5, "-o", exr)["white_luminance_cd_m2"] == 5e5
     assert load(exr).white_luminance == 5e5
-    told = facts("render", "--sun", "180,1", "--height", 64, "-o", hdr)
+    told = facts("render", *low, "--sun", "180,1", "-o", hdr)
     assert any("moved toward white, luminance kept" in note for note in told["notes"])
     assert float(load(hdr).illuminance()) == pytest.approx(told["illuminance_lx"]["global"], rel=0.01)
-    raw = facts("render", "--sun", "180,1", "--height", 64, "--gamut", "none", "-o", exr)
+    raw = facts("render", *low, "--sun", "180,1", "--gamut", "none", "-o", exr)
     assert any("negative parts" in note for note in raw["notes"])
     assert load(exr).pixels.min() < -1000
     dark, bright = (pixels_of(facts, low, png, exposure) for exposure in (1e-5, 1e-4))

@@ -192,6 +192,9 @@ class PhysicalModel(AirModel):
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
     ) -> Sky:
         """The sky."""
+        haze = np.asarray((given or USUAL).get("turbidity", USUAL["turbidity"]), dtype=np.float64)
+        if not ((haze >= TAUGHT_TURBIDITY.low) & (haze <= TAUGHT_TURBIDITY.high)).all() and check == "raise":
+            raise ValueError(f"turbidity must lie in {TAUGHT_TURBIDITY}, got {haze.flat[0]:g}")
         return PhysicalSky(sun, self.air(given or {}), check=check)
 
 
