@@ -5,7 +5,8 @@
 - blend              Skies between clear and overcast
 - validity           The parameters of a model: their ranges as data, what to do outside them, how they are told
 - labelled           Light with labels (pandas, xarray): where a sky's parameters or the directions have them
-- uniform, cie       The uniform sky and the overcast one; the fifteen of CIE S 011 and the CIE's older skies
+- uniform            Skies without a sun: the uniform sky and Moon and Spencer's overcast sky
+- cie                The CIE's skies: the fifteen of CIE S 011, the older clear sky, and the intermediate sky
 - perez              The Perez sky from five letters
 - perez_all_weather  Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution
 - preetham           Preetham, Shirley and Smits's clear sky

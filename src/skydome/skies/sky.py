@@ -1,19 +1,16 @@
-"""The sky, the first rung of the ladder, whose luminance is known; and sums of skies, clear and overcast, sky and sun.
-
-What else a sky can do, it declares: a sun, twilight, albedo, the `single` sky of a multiplied one, its nine numbers.
-"""
+"""The sky, the first rung of the ladder, whose luminance is known; and sums of skies. What each can do, it tells."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import checked_directions
-from skydome.ground.limits.ranges import WEIGHT, Range, require
+from skydome.ground.limits.ranges import WEIGHT, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
 from skydome.skies.labelled import LabelledLight
@@ -37,12 +34,6 @@ class Sky(LabelledLight, Shown, ABC):
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
-    numbers_of_air: ClassVar[Mapping[str, Range]] = {}  # what `from_numbers` makes air of, beside parameters
-
-    @classmethod
-    def from_numbers(cls, **parameters: Any) -> Self:
-        """The sky of its parameters, and of the numbers of its air."""
-        return cls(**parameters)
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
@@ -242,8 +233,7 @@ class Combination(Sky):
             result = light if result is None else result + light
         if self.follows_one_sun:
             return result
-        day = self.is_day[..., None] if axes else self.is_day
-        return namespace(result).where(day, result, result * 0)
+        return namespace(result).where(self.is_day[..., None] if axes else self.is_day, result, result * 0)
 
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""
@@ -257,5 +247,4 @@ def combine(skies: Sequence[Sky], weights: Sequence[Any]) -> Combination:
         if not isinstance(sky, Sky):
             raise TypeError(f"only skies can be added to a sky, got {type(sky).__name__}")
     kinds = [sky.kind_of_sum() for sky in skies]
-    highest = next(kind for kind in kinds if all(issubclass(other, kind) for other in kinds))
-    return highest(tuple(skies), tuple(weights))
+    return next(k for k in kinds if all(issubclass(other, k) for other in kinds))(tuple(skies), tuple(weights))

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field, fields, is_dataclass
 from os import PathLike
-from typing import Any, ClassVar, Literal, cast
+from typing import Any, ClassVar, Literal, Self, cast
 
 import numpy as np
 
@@ -54,6 +54,8 @@ class Ranged(Bounded):
     """
 
     ranges: ClassVar[Mapping[str, Range]] = {}
+    numbers_of_air: ClassVar[Mapping[str, Range]] = {}
+    """Numbers that make a sky's air, which `from_numbers` takes beside its parameters."""
     check: Check = field(default="raise", kw_only=True)
 
     def __post_init__(self) -> None:
@@ -67,6 +69,11 @@ class Ranged(Bounded):
         self.require_bounds()
         for name, interval in self.limits.items() if self.check != "nan" else ():
             require(name, getattr(self, name), interval if self.check == "raise" else FINITE)
+
+    @classmethod
+    def from_numbers(cls, **parameters: Any) -> Self:
+        """Of its parameters, and of the numbers of its air."""
+        return cls(**parameters)
 
     def __eq__(self, other: object) -> bool:
         """True for one class and the same parameters, by value."""

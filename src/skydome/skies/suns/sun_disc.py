@@ -103,6 +103,7 @@ class SunDisc(SunlitSky, SpectralSky):
     angular_radius: Any = MEAN_RADIUS
     direct_normal_illuminance: Any = field(default=None, kw_only=True)
     bands: ClassVar[np.ndarray] = np.arange(320.0, 721.0, 10.0)
+    stretch: ClassVar[Any] = 1.0  # how much higher it stands than it is seen, from limb to limb
     ranges: ClassVar = {"turbidity": Range(1.0, 10.0), "angular_radius": Range(1e-5, 0.1, "rad")}
     bounds: ClassVar = {"direct_normal_illuminance": LIGHT}
     source: ClassVar[str] = "Hosek and Wilkie 2013; tables of version 1.4a"
@@ -208,11 +209,6 @@ class SunDisc(SunlitSky, SpectralSky):
         xp = namespace(self.sun, normal)
         cosine = xp.sum(checked_directions(normal, "normal") * floating(self.sun), axis=-1)
         return self.normal_xyz[..., 1] * at_least(cosine, 0.0)
-
-    @property
-    def stretch(self) -> Any:
-        """How much higher the disc stands than it is seen, from limb to limb: 1 where light is straight."""
-        return 1.0
 
     def mu(self, directions: Array) -> tuple[Array, Array]:
         """Cosine on the sun's surface (...,) and whether the direction meets the disc: sqrt(1 - (sin g / sin R)^2)."""
