@@ -107,7 +107,7 @@ def test_bad_profiles_are_refused(tmp_path, content, said):
 
 
 def test_night_is_refused():
-    refused(call("--place", "45,7", "--time", "2026-06-21T01:00+02:00"), "sun must be above the horizon")
+    refused(call("--place", "45,7", "--time", "2026-06-21T01:00+02:00"), "sun must stand above -18 degrees")
 
 
 def refused(result, said):

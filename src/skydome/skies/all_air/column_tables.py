@@ -88,6 +88,10 @@ class ColumnTables:
         twice = 2 * between(self.level, self.lowest_place(heights, sine))
         return last(xp.where(sine < 0, limited(twice - rising, 0.0, BLOCKED), rising))
 
+    def rising(self, heights: Array, cosine: Array) -> Array:
+        """Columns from heights (...,) toward cosines of 0 or more (...,), (..., K)."""
+        return last(among(self.columns, self.row(heights, HEIGHTS), self.line(cosine)))
+
     def lowest_place(self, heights: Array, sine: Array) -> Array:
         """Place in `level` of where rays are level that pass heights (...,) at sines of apparent elevations (...,)."""
         level, excess = safe_sqrt(1 - sine * sine), self.excess(heights)
