@@ -22,7 +22,7 @@ CASES = {
     "unknown zone": ((*DAY, "--zone", "Europe/Rom"), ("Europe/Rome",)),
     "latitude": (("--place", "91,7.69", *TIME), ("latitude", "[-90, 90]", "91")),
     "place": (("--place", "Turin", *TIME), ("latitude,longitude", "Turin")),
-    "turbidity": ((*DAY, "--turbidity", "0.5"), ("turbidity", "[1, 10]", "0.5")),
+    "turbidity": ((*DAY, "--turbidity", "0.5"), ("turbidity", "[1, ", "0.5")),
     "turbidity of Preetham": ((*DAY, "--model", "preetham", "--turbidity", "8"), ("[2, 6]", "8")),
     "turbidity, no number": ((*DAY, "--turbidity", "thick"), ("--turbidity", "number")),
     "turbidity NaN": ((*DAY, "--turbidity", "nan"), ("turbidity", "nan")),

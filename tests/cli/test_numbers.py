@@ -5,7 +5,6 @@ import pytest
 
 import skydome as sd
 from skydome import deg
-from skydome.air.cross_sections import rayleigh_depth
 
 INSTANT = "2026-06-21T15:00+02:00"
 TURIN = sd.Place(45.07, 7.69, 240)
@@ -73,7 +72,7 @@ def test_the_default_is_the_physical_sky_whose_air_bends_light_itself(facts, whe
     sun = sd.sun_direction(TURIN, INSTANT)
     assert told["model"] == "physical"
     assert told["sun"] == facts("light", *when, "--refraction")["sun"]
-    air = sd.clear_air(1.5 * float(rayleigh_depth([550.0])[0]), albedo=0.3)
+    air = sd.Atmosphere.from_turbidity(2.5, albedo=0.3)
     distance = float(sd.earth_sun_distance(INSTANT))
     wanted = sd.PhysicalSky(sun, air).luminance(sd.ZENITH) / distance**2
     assert told["zenith_luminance_cd_m2"] == pytest.approx(float(wanted), rel=1e-4)
