@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field, fields, is_dataclass
+from enum import Enum
 from os import PathLike
 from typing import Any, ClassVar, Literal, Self, cast
 
@@ -121,6 +122,8 @@ def plain(value: Any) -> Any:
         return [plain(item) for item in value] if len(value) <= MOST_NUMBERS else f"{len(value)} numbers"
     if value is None or isinstance(value, str | int | float | bool):
         return value
+    if isinstance(value, Enum):
+        return value.name.lower()
     if isinstance(value, PathLike):
         return str(value)
     if is_dataclass(value):
