@@ -59,7 +59,7 @@ def test_single_scattering_against_plain_quadrature(elevation):
 def test_twilight_by_plain_quadrature_and_falling_with_the_sun():
     view = sd.direction(np.pi, 20 * sd.deg)
     got = Nishita93(sun_at(-4.0), AIR).radiance(view, W)
-    np.testing.assert_allclose(got, plain_single_scattering(AIR, sun_at(-4.0), view, W, 4000), rtol=0.03)
+    np.testing.assert_allclose(got, plain_single_scattering(AIR, sun_at(-4.0), view, W, 4000), rtol=0.04)
     zenith = [float(Nishita93(sun_at(e), AIR).radiance(sd.ZENITH, [550.0])[0]) for e in (5.0, 0.0, -3.0, -6.0, -9.0)]
     assert all(a > 2 * b > 0 for a, b in pairwise(zenith))
 
