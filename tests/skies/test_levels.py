@@ -132,18 +132,21 @@ def test_the_disc_is_as_large_as_the_sun_s_distance_says():
     assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
 
 
-def test_the_command_and_the_tour_give_one_number(tmp_path):
-    """README's sky, by library and command line."""
+@pytest.mark.parametrize("model", ["physical", "hosek-wilkie"])
+def test_the_command_and_the_library_give_one_number(model):
+    """README's sky, by library and command line, on the day's own distance from the sun."""
     import json
     import subprocess
     import sys
 
     turin, time = sd.Place(45.07, 7.69, 240), "2026-06-21T15:00+02:00"
-    sky = sd.HosekWilkie(sd.sun_direction(turin, time), turbidity=3.0, albedo=0.2)
+    sun = sd.sun_direction(turin, time)
+    air = sd.Atmosphere.from_turbidity(3.0, albedo=0.2, sun_scale=float(sd.earth_sun_distance(time)) ** -2)
+    sky = sd.PhysicalSky(sun, air) if model == "physical" else sd.HosekWilkie(sun, turbidity=3.0, albedo=0.2)
     ours = float(sd.illuminance(sky + sd.SunDisc.of(sky, time=time)))
-    command = [sys.executable, "-m", "skydome", "light", "--place", "45.07,7.69,240", "--time", time, "--json"]
-    told = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
-    assert told["illuminance_lx"]["global"] == pytest.approx(ours, rel=1e-6)
+    command = [sys.executable, "-m", "skydome", "light", "--place", "45.07,7.69,240", "--time", time, "--model", model]
+    told = json.loads(subprocess.run([*command, "--json"], capture_output=True, check=True, text=True).stdout)
+    assert told["illuminance_lx"]["global"] == pytest.approx(ours, rel=1e-5)
 
 
 @pytest.mark.parametrize("kind", ["x", "y"])
