@@ -44,7 +44,7 @@ def test_a_network_of_ones_own_and_its_bands(tmp_path):
     path.write_bytes(path.read_bytes()[:1000])
     done = run("--model", str(path))
     assert done.returncode == 2
-    assert "own.safetensors is not a network file" in done.stderr
+    assert "own.safetensors, which is damaged or not a network file" in done.stderr
 
 
 def test_any_sky_in_a_basis():
