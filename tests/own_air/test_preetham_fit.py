@@ -79,7 +79,7 @@ def test_the_file_and_what_is_no_such_file(own, tmp_path):
         sd.Preetham(sun, 7.0, again)
     short = json.loads((tmp_path / "own.json").read_text()) | {"zenith_Y": [1, 2]}
     for text, message in (
-        ("{", "holds no numbers"),
+        ("{", "damaged or not numbers of Preetham"),
         ('{"a": 1}', "unexpected keyword"),
         (json.dumps(short), r"zenith_Y must be \(4,\)"),
     ):

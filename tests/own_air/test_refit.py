@@ -60,5 +60,5 @@ def test_stored_shapes_validity_and_bad_input(numbers, tmp_path):
     with pytest.raises(ValueError, match=r"wavelengths must lie in \[400, 700\] nm, got 300"):
         Refitted(suns, again).radiance(views, [300.0])
     np.savez(tmp_path / "other.npz", a=1)
-    with pytest.raises(ValueError, match="holds no refitted sky"):
+    with pytest.raises(ValueError, match="is not a refitted sky"):
         Numbers.load(tmp_path / "other.npz")

@@ -6,7 +6,7 @@ then counts as there, so that a killed worker loses its own piece at most and a 
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from hashlib import sha256
 from itertools import product
 from os import PathLike
@@ -75,9 +75,9 @@ class Grid(Bounded):
     def load(cls, path: str | PathLike[str]) -> "Grid":
         """From a .toml file whose keys are this class's; ValueError for a key that is none."""
         held = toml_in(path, "a grid of skies")
-        unknown = sorted(set(held) - set(cls.__dataclass_fields__))
+        unknown = sorted(set(held) - {item.name for item in fields(cls)})
         if unknown:
-            known = ", ".join(cls.__dataclass_fields__)
+            known = ", ".join(item.name for item in fields(cls))
             raise ValueError(f"a grid's keys must be among {known}, got {unknown[0]!r}")
         try:
             return cls(**held)

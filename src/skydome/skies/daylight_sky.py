@@ -17,6 +17,8 @@ from skydome.skies.sky import Sky, SunlitSky
 
 def require_pair(chromaticity: Any) -> Chromaticity:
     """The chromaticity's x and y; ValueError unless it is two numbers."""
+    if isinstance(chromaticity, tuple) and [type(part) for part in chromaticity] == [float, float]:
+        return chromaticity[0], chromaticity[1]  # what compilers of torch follow
     pair = numbers(chromaticity, "chromaticity")
     if pair.shape != (2,):
         raise ValueError(f"chromaticity must be two numbers (x, y), as (0.3127, 0.329), got shape {pair.shape}")

@@ -91,7 +91,7 @@ def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
     if isinstance(value, LabelledLight):
         for item in fields(value):  # not what the sky keeps beside them: that may hold the sky itself
             yield from labelled_parts(getattr(value, item.name), int(item.name in value.directions_held))
-    elif isinstance(value, tuple | list):
+    elif isinstance(value, (tuple, list)):
         for part in value:
             yield from labelled_parts(part, core)
     elif is_labelled(value):
@@ -106,7 +106,7 @@ def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Ki
         new = {name: changed(old, change, int(name in value.directions_held)) for name, old in held.items()}
         moved = {name: part for name, part in new.items() if part is not held[name]}
         return cast(Kind, replace(value, **moved) if moved else value)
-    if isinstance(value, tuple | list):
+    if isinstance(value, (tuple, list)):
         parts = [changed(part, change, core) for part in value]
         same = all(new is old for new, old in zip(parts, value, strict=True))
         result = value if same else type(value)(parts)

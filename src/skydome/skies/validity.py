@@ -42,7 +42,7 @@ def is_one(weight: Any) -> bool:
 
 def own(value: Any) -> Any:
     """Arrays and lists copied, those in tuples too; anything else as it is."""
-    if isinstance(value, np.ndarray | list):
+    if isinstance(value, (np.ndarray, list)):
         return deepcopy(value)
     return tuple(map(own, value)) if type(value) is tuple else value
 
@@ -63,7 +63,7 @@ class Ranged(Bounded):
         """Validate; NumPy arrays become the sky's own, so that it stays what it was when the caller's change."""
         for item in fields(self):
             value = getattr(self, item.name)
-            if isinstance(value, np.ndarray | list | tuple):
+            if isinstance(value, (np.ndarray, list, tuple)):
                 object.__setattr__(self, item.name, own(value))
         require_check(self.check)
         namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])
@@ -118,7 +118,7 @@ def plain(value: Any) -> Any:
     """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
     if isinstance(value, Ranged):
         return value.parameters()
-    if isinstance(value, tuple | list):
+    if isinstance(value, (tuple, list)):
         return [plain(item) for item in value] if len(value) <= MOST_NUMBERS else f"{len(value)} numbers"
     if value is None or isinstance(value, str | int | float | bool):
         return value

@@ -137,7 +137,7 @@ def test_what_is_no_lesson_is_refused(tmp_path):
     with pytest.raises(ValueError, match="must hold lessons"):
         Lessons.load(tmp_path)
     (tmp_path / "0001-00000.npz").write_text("nothing")
-    with pytest.raises(ValueError, match="is no file of lessons"):
+    with pytest.raises(ValueError, match="damaged or not a file of lessons"):
         Lessons.load(tmp_path)
 
 
@@ -170,7 +170,7 @@ def test_one_command_trains_both_networks(lessons, tmp_path, monkeypatch, small)
 
     for name in ("DAY", "TWILIGHT", "SMALL_DAY", "SMALL_TWILIGHT"):
         course = getattr(training, name)
-        monkeypatch.setattr(training, name, course._replace(steps=12, shapes=4, mean_shapes=course.terms // 2))
+        monkeypatch.setattr(training, name, course._replace(steps=90, shapes=4, mean_shapes=course.terms // 2))
     output = tmp_path / "own.safetensors"
     given = ["train", "--model", "physical", "-o", output, "--lessons", lessons, "--batches", "2", "--json"]
     done = CliRunner().invoke(app, [str(part) for part in given] + ["--small"] * small)

@@ -59,7 +59,7 @@ def hash_of(value: Any) -> int:
     if is_numeric(value):
         array = np.asarray(as_numpy(value))
         return hash((array.shape, (array + 0.0).astype(np.complex128).tobytes()))
-    if isinstance(value, tuple | list):
+    if isinstance(value, (tuple, list)):
         return hash((type(value), *map(hash_of, value)))
     if is_dataclass(value) and not isinstance(value, type):
         return hash((type(value), *(hash_of(getattr(value, item.name)) for item in fields(value))))

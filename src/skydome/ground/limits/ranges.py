@@ -119,6 +119,8 @@ class Bounded:
 
     def require_bounds(self) -> None:
         """ValueError in one line for the first number beyond its bounds, TypeError for a field of a wrong kind."""
+        if is_compiling():
+            return
         for name, (kind, example) in self.kinds.items():
             require_kind(getattr(self, name), kind, name, example)
         types = {item.name: item.type for item in fields(cast(Any, self))}

@@ -4,7 +4,7 @@ They stand at nodes of turbidity and ground albedo, linear between them, for ban
 `skydome.own_air.bezier_family` makes them for air of one's own; `HosekWilkie(..., tables=...)` is their sky.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from os import PathLike
 from typing import Any
 
@@ -106,7 +106,7 @@ class SkyTables:
         (1, 1, 6, 1, 10)
         """
         held: dict[str, Any] = dict(
-            arrays_in(path, "sky tables", {"sky_tables", *cls.__dataclass_fields__}, MOST_BYTES)
+            arrays_in(path, "sky tables", {"sky_tables", *(item.name for item in fields(cls))}, MOST_BYTES)
         )
         wrong = sorted(name for name, value in held.items() if value.dtype.kind not in "fiu")
         if wrong:

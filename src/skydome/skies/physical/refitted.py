@@ -1,6 +1,6 @@
 """A fast sky for an atmosphere of one's own: the nine numbers fitted to a slow sky, by suns and wavelengths."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from os import PathLike
 from typing import Any, ClassVar
 
@@ -65,7 +65,7 @@ class Numbers(Bounded):
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Numbers":
         """From a .npz file; ValueError for a file that holds something else."""
-        held: dict[str, Any] = dict(arrays_in(path, "a refitted sky", set(cls.__dataclass_fields__), MOST_BYTES))
+        held: dict[str, Any] = dict(arrays_in(path, "a refitted sky", {item.name for item in fields(cls)}, MOST_BYTES))
         with decoding(path, "a refitted sky"):
             return cls(**(held | {"sun_scale": float(held["sun_scale"])}))
 
