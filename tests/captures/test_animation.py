@@ -146,10 +146,9 @@ def measured_sky():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 1, 2])
-def test_the_measured_sky_leave_one_out(seed):
+def test_the_measured_sky_leave_one_out():
     """Kider et al. 2014: 12 scans; each in turn is held out. Every sample counts, also those close to the sun."""
-    results = leave_one_out(read_scans(measured_sky()), FADES, seed=seed)
+    results = leave_one_out(read_scans(measured_sky()), FADES, seed=0)
 
     def inner(name, what):
         return float(np.mean([getattr(e, what) for e in results[name][1:-1]]))

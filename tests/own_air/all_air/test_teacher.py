@@ -172,7 +172,20 @@ def test_one_command_trains_both_networks(lessons, tmp_path, monkeypatch, small)
         course = getattr(training, name)
         monkeypatch.setattr(training, name, course._replace(steps=90, shapes=4, mean_shapes=course.terms // 2))
     output = tmp_path / "own.safetensors"
-    given = ["train", "--model", "physical", "-o", output, "--lessons", lessons, "--batches", "2", "--seed", "1", "--json"]
+    given = [
+        "train",
+        "--model",
+        "physical",
+        "-o",
+        output,
+        "--lessons",
+        lessons,
+        "--batches",
+        "2",
+        "--seed",
+        "1",
+        "--json",
+    ]
     done = CliRunner().invoke(app, [str(part) for part in given] + ["--small"] * small)
     assert done.exit_code == 0, done.output
     assert '"computed": 0' in done.stdout

@@ -40,7 +40,7 @@ class DiscreteOrdinates(AtmosphereSky):
     >>> import skydome as sd
     >>> sky = DiscreteOrdinates(sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg))
     >>> sky.radiance(sd.ZENITH, [450.0, 650.0]).round(3).tolist()
-    [0.065, 0.019]
+    [0.066, 0.019]
     """
 
     streams: int = 16

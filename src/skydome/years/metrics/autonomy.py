@@ -51,8 +51,9 @@ def counted(light: ArrayLike, hours: ArrayLike) -> np.ndarray:
 def daylight_autonomy(light: ArrayLike, hours: ArrayLike, target: float = TARGET) -> np.ndarray:
     """Share of the hours in which a point has the target, lx, or more, (P,).
 
-    >>> daylight_autonomy(np.array([[100.0], [300.0], [600.0], [0.0]]), np.array([True, True, True, False])).round(3)
-    array([0.667])
+    >>> light = np.array([[100.0], [300.0], [600.0], [0.0]])
+    >>> daylight_autonomy(light, np.array([True, True, True, False])).round(3).tolist()
+    [0.667]
     """
     share: np.ndarray = (counted(light, hours) >= target).mean(axis=0)
     return share
