@@ -85,7 +85,8 @@ export function asShader(sky: Sky): string {
   const head = `// skydome ${TABLES.version}, ${sky.name}: linear sRGB toward a unit vector, x east, y north, z up; 1 = 1 cd m-2.`;
   const sun = `const vec3 sun = vec3(${sky.sun.map(literal).join(", ")});`;
   const matrix = TABLES.colour.srgbFromXYZ;
-  const body = sky.recipe.kind === "formula" ? formulaText(sky) : sky.recipe.kind === "network" ? networkWords(sky) : fieldsText();
+  if (sky.recipe.kind === "fields") return FIELDS;
+  const body = sky.recipe.kind === "formula" ? formulaText(sky) : networkWords(sky);
   const toRGB = `mat3(${[0, 1, 2].flatMap((c) => matrix.map((row) => literal(row[c]))).join(", ")})`;
   return [head, sun, body, `vec3 skydome_rgb(vec3 d) {\n    return d.z < 0.0 ? vec3(0.0) : ${toRGB} * sky_xyz(d);\n}`, ""].join("\n");
 }
@@ -117,6 +118,8 @@ function networkWords(sky: Sky): string {
   return networkText(recipe, INPUTS, `const vec4 W[${rows.length}] = vec4[${rows.length}](\n    ${rows.join(",\n    ")});`);
 }
 
-function fieldsText(): string {
-  return "";
-}
+/** The page's own table is of no use outside it: how the command line writes the shader and the numbers that it reads. */
+const FIELDS = `// The shader of this sky reads a table, which the command line writes beside it:
+// skydome shader --lang glsl --uniforms numbers.json -o sky.glsl
+// with the sun, model and air of "Copy command".
+`;

@@ -11,6 +11,9 @@ km = 1000.0
 LUMINOUS_EFFICACY = 683.0
 """Lumens per watt at the peak of V(lambda), lm W-1, as the published sky models use it (CIE: 683.002)."""
 
+RADIANCE_EFFICACY = 179.0
+"""Lumens per watt of white by which Radiance turns luminance into its radiance, lm W-1 (its src/common/color.h)."""
+
 SOLAR_CONSTANT = 1367.0
 """Irradiance of the sun outside the air at 1 AU, W m-2, as Perez's tables, gendaylit and gendaymtx use it."""
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from skydome.ground import exr, hdr, png
 from skydome.ground.arguments import require_path
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.gamut import within_gamut
 from skydome.light.tone import Curve
@@ -21,7 +22,6 @@ from skydome.maps.projection import Projection
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
 
-RADIANCE_EFFICACY = 179.0  # lm W-1 of white, Radiance's src/common/color.h
 PLACE = ("latitude", "longitude", "altitude")
 OWN = "skydome:"  # begins the names of what we alone write into headers
 FORMATS = (".exr", ".hdr", ".png")

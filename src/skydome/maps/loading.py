@@ -12,10 +12,11 @@ import numpy as np
 from skydome.ground import exr, hdr
 from skydome.ground.arguments import require_path
 from skydome.ground.limits.ranges import LIGHT, Range, require
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps import projections
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.files import OWN, PLACE, RADIANCE_EFFICACY
+from skydome.maps.files import OWN, PLACE
 from skydome.maps.projection import Projection
 from skydome.maps.targets import target as target_named
 from skydome.sun.place import Place

@@ -14,6 +14,19 @@ def held(request):
     return sd.held(sd.Nishita93(sd.direction(azimuth=1.0, elevation=request.param * sd.deg)))
 
 
+@pytest.mark.parametrize(("elevation", "valid"), [(40.0, True), (-11.0, True), (-17.0, True), (-19.0, False)])
+def test_a_table_of_the_physical_sky_is_valid_where_the_sky_is(elevation, valid):
+    """Between -12 and -18 degrees the table said that it was not."""
+    sky = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=elevation * sd.deg))
+    assert bool(sky.valid) == bool(sd.held(sky).valid) == valid
+
+
+def test_a_table_of_air_that_was_not_taught_is_not_valid():
+    thick = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=0.7), sd.clear_air(aerosol_depth=3.0), check="clamp")
+    assert not thick.valid
+    assert not sd.held(thick).valid
+
+
 def test_straight_lines_do(held):
     series = held.seen(VIEWS)
     np.testing.assert_allclose(held.fields.light(VIEWS), series, rtol=2e-3, atol=1e-3 * series.max())

@@ -6,6 +6,7 @@ import sys
 import numpy as np
 import pytest
 
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.skies.formula.perez_table import distribution_letters
 from skydome.years.gendaymtx import hours
 from skydome.years.gendaymtx import matrix as gendaymtx
@@ -74,7 +75,7 @@ def test_the_sun_keeps_its_light(files):
     skies, division = gendaymtx.skies_of(tape), 2
     both, sky = (gendaymtx.matrix(tape, division, sun)[1:, skies.lit].astype(np.float64) for sun in (Sun(), None))
     sizes = np.concatenate([np.full(count, size) for _, count, size in rows_of(division)])
-    light = ((both - sky) * sizes[:, None]).sum(axis=0) * gendaymtx.WHITE_EFFICACY
+    light = ((both - sky) * sizes[:, None]).sum(axis=0) * RADIANCE_EFFICACY
     assert np.allclose(light, skies.beam * (skies.beam > 1e-4), rtol=1e-4, atol=0.5)
 
 

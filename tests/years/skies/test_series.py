@@ -7,6 +7,7 @@ import pytest
 import skydome as sd
 from skydome.dome.patch_means import patch_means
 from skydome.dome.patches import patches
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.spectrum import xyz_weights
 from skydome.years.gendaymtx import hours
 from skydome.years.gendaymtx import matrix as gendaymtx
@@ -75,7 +76,7 @@ def test_the_kernel_at_centres_is_gendaymtx(files):
     suns = sd.direction(skies.azimuth, np.pi / 2 - skies.zenith)
     weights = np.sin(cut.elevations) * cut.solid_angles
     means = dome_means(PerezSkies(skies.letters, suns, 1e-6), skies.diffuse, cut, True, weights)
-    expected = gendaymtx.matrix(tape, 2)[1:, skies.lit].T * gendaymtx.WHITE_EFFICACY
+    expected = gendaymtx.matrix(tape, 2)[1:, skies.lit].T * RADIANCE_EFFICACY
     assert np.allclose(means, expected, rtol=2e-5, atol=1e-6 * expected.mean())
 
 

@@ -5,8 +5,8 @@ strength s shows the texture times s. Both are in W m-2 here, of 179 lm W-1, as 
 """
 
 from skydome.export.scenes.scene import SceneFormat, SkyScene, listed, stops
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import ACESCG, REC2020, SRGB
-from skydome.maps.files import RADIANCE_EFFICACY
 
 COLOUR_SPACES = {SRGB: "Linear Rec.709", REC2020: "Linear Rec.2020", ACESCG: "ACEScg"}
 """Names in Blender's own colour configuration."""

@@ -125,6 +125,11 @@ class PhysicalSky(AtmosphereSky):
         taught = [xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items()]
         return reduce(lambda a, b: a & b, taught) & self.is_day
 
+    @property
+    def valid_held(self) -> Array:
+        """As the sky itself: the table is made of what the networks give."""
+        return np.asarray(self.valid)
+
     def at(self, wavelengths: np.ndarray) -> LitAir:
         """The air at wavelengths (W,); ValueError in one line where `check` is "raise" and the air was not taught."""
         numbers = optics(self.atmosphere, wavelengths, self.toward)

@@ -217,6 +217,7 @@ class PathTraced(AtmosphereSky):
         "paths_per_pass": Range(1, 1 << 20),
     }
     knows_twilight: ClassVar[bool] = True
+    lowest_held: ClassVar[float] = -12.0
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
     quick_to_see: ClassVar[bool] = False
 

@@ -66,8 +66,8 @@ class HeldSky(SunlitSky, ColourSky):
 
     @property
     def valid(self) -> Array:
-        """True where the sun stands above -12 degrees, or the horizon if the sky knows no twilight."""
-        return np.asarray(float(self.sun[2]) > (np.sin(np.radians(-12.0)) if self.sky.knows_twilight else 0.0))
+        """True where the sky that is held says that a table of it may be trusted."""
+        return self.sky.valid_held
 
     def own_disc(self, angular_radius: Any) -> SunlitSky | None:
         """That of the sky that is held."""

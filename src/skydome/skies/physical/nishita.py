@@ -46,6 +46,7 @@ class Nishita93(AtmosphereSky):
     """
 
     knows_twilight: ClassVar[bool] = True
+    lowest_held: ClassVar[float] = -12.0
     source: ClassVar[str] = "Nishita, Sirai, Tadamura, Nakamae 1993, eq. 4-9"
     quick_to_see: ClassVar[bool] = False
 

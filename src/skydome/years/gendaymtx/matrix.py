@@ -19,13 +19,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.years.gendaymtx.conditions import category, conditions, efficacies, irradiances_of, table
 from skydome.years.gendaymtx.hours import Tape, sun_of
 from skydome.years.gendaymtx.rows import BLOCK, Skies, horizontal_sums, patch_rows
 from skydome.years.gendaymtx.sun import Sun, sun_light
-
-WHITE_EFFICACY = 179.0
-"""Lumens per watt by which Radiance turns luminance into its radiance."""
 
 SKY_COLOUR = (0.960, 1.004, 1.118)
 GROUND_REFLECTANCE = 0.2
@@ -49,7 +47,7 @@ def skies_of(tape: Tape, solar: bool = False, minutes: float = 0.0) -> Skies:
     row = category(clearness)
     letters = letters_of(row, zenith, clearness, brightness)
     if solar:
-        beam, light = direct * WHITE_EFFICACY, diffuse * WHITE_EFFICACY
+        beam, light = direct * RADIANCE_EFFICACY, diffuse * RADIANCE_EFFICACY
     elif tape.photometric:
         beam, light = given
     else:
@@ -80,8 +78,8 @@ def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
     yield lit_ground(skies)
     total = horizontal_sums(skies, division)
     black = np.flatnonzero(total == 0)
-    uniform = (skies.diffuse[black] / (WHITE_EFFICACY * np.pi)).astype(np.float32)
-    level = np.divide(skies.diffuse, WHITE_EFFICACY * total, out=np.zeros_like(total), where=total > 0)
+    uniform = (skies.diffuse[black] / (RADIANCE_EFFICACY * np.pi)).astype(np.float32)
+    level = np.divide(skies.diffuse, RADIANCE_EFFICACY * total, out=np.zeros_like(total), where=total > 0)
     for light, _, _ in patch_rows(skies, division, level):
         if black.size:
             light[:, black] = uniform
@@ -90,7 +88,7 @@ def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
 
 def lit_ground(skies: Skies) -> np.ndarray:
     """Radiance (1, K) of a ground that reflects all, W m-2 sr-1 of white."""
-    ground: np.ndarray = (skies.on_ground / (np.pi * WHITE_EFFICACY))[None].astype(np.float32)
+    ground: np.ndarray = (skies.on_ground / (np.pi * RADIANCE_EFFICACY))[None].astype(np.float32)
     return ground
 
 
@@ -107,7 +105,7 @@ def matrix(tape: Tape, division: int = 1, sun: Sun | None = None) -> np.ndarray:
         if first == 0:
             light *= np.float32(GROUND_REFLECTANCE)
         elif beams is not None:
-            beams.add_to(light, first - 1, 1 / WHITE_EFFICACY)
+            beams.add_to(light, first - 1, 1 / RADIANCE_EFFICACY)
         rows[first : first + len(light), skies.lit] = light
         first += len(light)
     return rows
@@ -148,7 +146,7 @@ def coloured(tape: Tape, division: int, choices: Choices) -> Iterator[np.ndarray
         for channel in range(3):
             np.multiply(light, np.float32(colour[channel]), out=part[:, :-1, channel])
         if beams is not None and first >= 0:
-            beams.add_to(part, first, 1 / WHITE_EFFICACY)
+            beams.add_to(part, first, 1 / RADIANCE_EFFICACY)
         for row in range(len(light)):
             np.take(pixels[row], index, out=whole[row], mode="clip")
         first += len(light)

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.years.gendaymtx.hours import SUN_RADIUS, Tape, in_the_sky, sun_of
-from skydome.years.gendaymtx.matrix import WHITE_EFFICACY, Choices, skies_of
+from skydome.years.gendaymtx.matrix import Choices, skies_of
 from skydome.years.gendaymtx.sun import unit_vectors
 
 DIAMETER, SIZE = 2 * np.degrees(SUN_RADIUS), np.pi * SUN_RADIUS**2
@@ -24,7 +25,7 @@ def sources(tape: Tape, choices: Choices) -> Iterator[tuple[str, str]]:
     minutes = 1440 * (tape.day_of_year - 1) + np.floor(tape.hour * 60 + 0.5).astype(np.int64)
     toward = unit_vectors(altitude, azimuth - np.radians(choices.rotation))
     for hour in np.flatnonzero(in_the_sky(altitude)):
-        number, light = minutes[hour], f"{beam[hour] / (WHITE_EFFICACY * SIZE):.3e}"
+        number, light = minutes[hour], f"{beam[hour] / (RADIANCE_EFFICACY * SIZE):.3e}"
         x, y, z = toward[hour]
         yield (
             f"\nvoid light solar{number}\n0\n0\n3 {light} {light} {light}\n"

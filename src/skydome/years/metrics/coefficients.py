@@ -8,14 +8,14 @@ import numpy as np
 
 from skydome.dome.patches import Patches, reinhart
 from skydome.ground.directions import direction
-from skydome.ground.units import deg
-from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE, WHITE_EFFICACY
+from skydome.ground.units import RADIANCE_EFFICACY, deg
+from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE
 from skydome.years.gendaymtx.text import read
 
 if TYPE_CHECKING:
     import xarray
 
-LUMINANCE_OF_RGB = np.array([47.4, 119.9, 11.6]) / WHITE_EFFICACY
+LUMINANCE_OF_RGB = np.array([47.4, 119.9, 11.6]) / RADIANCE_EFFICACY
 """Weights of Radiance's channels in luminance (Radiance's color.h; rcalc's 47.4, 119.9, 11.6)."""
 
 SUN_SOLID_ANGLE = 2 * np.pi * (1 - np.cos(0.533 / 2 * deg))
@@ -28,7 +28,7 @@ class DaylightCoefficients:
 
     `direct` (P, N + 1), the same without any reflection, and `suns` (P, M + 1), per luminance of a disc of .533 degrees
     in the patch of a finer sky, are those of the five-phase method: where both are there, the sun's direct light comes
-    by `suns`, and only its reflected light by the patches. `WHITE_EFFICACY` cancels out.
+    by `suns`, and only its reflected light by the patches. `RADIANCE_EFFICACY` cancels out.
     """
 
     total: np.ndarray

@@ -12,7 +12,7 @@ from skydome.ground.arguments import require_word
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.extras import required
 from skydome.ground.limits.sizes import require_memory
-from skydome.ground.units import deg
+from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.sun.place import Place
 from skydome.sun.track import SunTrack
 from skydome.years.skies import status as flags
@@ -134,12 +134,12 @@ def smooth_luminance(sky: PerezYear, cut: Patches, out: np.ndarray) -> None:
 def gendaymtx_luminance(weather: Weather, cut: Patches) -> np.ndarray:
     """Luminance (T, N) by gendaymtx's rules; ValueError for patches that it does not know."""
     from skydome.years.gendaymtx.hours import tape_from
-    from skydome.years.gendaymtx.matrix import WHITE_EFFICACY, matrix
+    from skydome.years.gendaymtx.matrix import matrix
 
     division = round(((cut.count - 1) / 144) ** 0.5)
     if cut.name not in ("tregenza", f"reinhart:{division}"):
         raise ValueError(f'compat="gendaymtx" needs Reinhart\'s patches, got {cut.name}')
-    return np.ascontiguousarray(matrix(tape_from(weather), division)[1:].T) * np.float32(WHITE_EFFICACY)
+    return np.ascontiguousarray(matrix(tape_from(weather), division)[1:].T) * np.float32(RADIANCE_EFFICACY)
 
 
 def dataset(weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarray) -> "xarray.Dataset":

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skydome.ground.directions import direction
-from skydome.ground.units import deg
+from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.ground.writing import appearing
 from skydome.light.colour import RADIANCE, rgb_from_xyz
 from skydome.skies.formula.perez_formula import A, B, C, D, E, F, R
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.years.gendaymtx import text as matrix_text
-from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE, WHITE_EFFICACY
+from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE
 
 if TYPE_CHECKING:
     import xarray
@@ -52,7 +52,7 @@ def matrix_rows(data: "xarray.Dataset", reflectance: float, with_sun: bool) -> A
     sun = np.nan_to_num(data["direct_normal_illuminance"].values)
     falling = np.nan_to_num(data["diffuse_horizontal_illuminance"].values)
     falling = falling + sun * np.maximum(np.sin(data["sun_elevation"].values * deg), 0)
-    yield np.repeat((reflectance / np.pi / WHITE_EFFICACY * falling)[None, :, None], 3, axis=-1).astype(np.float32)
+    yield np.repeat((reflectance / np.pi / RADIANCE_EFFICACY * falling)[None, :, None], 3, axis=-1).astype(np.float32)
     stands, size = data["sun_patch"].values, data["solid_angle"].values
     for k in range(0, data.sizes["patch"], ROWS_AT_ONCE):
         part = slice(k, k + ROWS_AT_ONCE)
@@ -60,11 +60,11 @@ def matrix_rows(data: "xarray.Dataset", reflectance: float, with_sun: bool) -> A
             light = rgb_from_xyz(data["xyz"].isel(patch=part).values, RADIANCE).transpose(1, 0, 2)
         else:
             light = np.repeat(data["luminance"].isel(patch=part).values.T[..., None], 3, axis=-1)
-        light = np.nan_to_num(light) / WHITE_EFFICACY
+        light = np.nan_to_num(light) / RADIANCE_EFFICACY
         if with_sun:
             hours = np.flatnonzero((stands >= k) & (stands < k + len(light)) & (sun > 0))
             patch = stands[hours]
-            light[patch - k, hours] += (sun[hours] / (WHITE_EFFICACY * size[patch]))[:, None]
+            light[patch - k, hours] += (sun[hours] / (RADIANCE_EFFICACY * size[patch]))[:, None]
         yield light.astype(np.float32)
 
 
@@ -75,7 +75,7 @@ def write_suns(data: "xarray.Dataset", path: str | PathLike[str]) -> int:
     toward = sun_directions(data)[hours]
     lines = []
     for k, (hour, (x, y, z)) in enumerate(zip(hours, toward, strict=True), start=1):
-        light = f"{sun[hour] / (WHITE_EFFICACY * SUN_SIZE):.3e}"
+        light = f"{sun[hour] / (RADIANCE_EFFICACY * SUN_SIZE):.3e}"
         lines.append(f"void light solar{k}\n0\n0\n3 {light} {light} {light}\n")
         lines.append(f"solar{k} source sun{k}\n0\n0\n4 {x:.6f} {y:.6f} {z:.6f} {SUN_DIAMETER / deg:.4f}\n\n")
     with appearing(path) as beside:
@@ -112,13 +112,13 @@ def formula_text(sky: PerezAllWeather) -> str:
     numbers = np.asarray(sky.coefficients(), dtype=np.float64)[0]
     level, a, b, c, d, e, f = (float(numbers[k]) for k in (R, A, B, C, D, E, F))
     x, y, z = (float(value) for value in np.asarray(sky.formula_sun))
-    return f"""{{ Perez all-weather sky; radiance in W m-2 sr-1 (luminance / {WHITE_EFFICACY:g}) }}
+    return f"""{{ Perez all-weather sky; radiance in W m-2 sr-1 (luminance / {RADIANCE_EFFICACY:g}) }}
 up = if(Dz - {sky.floor:g}, Dz, {sky.floor:g});
 cosine = Dx*({x:.9g}) + Dy*({y:.9g}) + Dz*({z:.9g});
 bounded = if(cosine - 1, 1, if(-1 - cosine, -1, cosine));
 gradation = 1 + ({a:.9g})*exp(if(({b:.9g})/up + 80, ({b:.9g})/up, -80));
 indicatrix = ({c:.9g}) + ({d:.9g})*exp(({e:.9g})*acos(bounded)) + ({f:.9g})*bounded*bounded;
-light = {level / WHITE_EFFICACY:.9g}*gradation*indicatrix;
+light = {level / RADIANCE_EFFICACY:.9g}*gradation*indicatrix;
 skybright = if(Dz, if(light, light, 0), 0);
 """
 
@@ -126,8 +126,8 @@ skybright = if(Dz, if(light, light, 0), 0);
 def scene_text(sky: PerezAllWeather, formula: str, reflectance: float) -> str:
     """The sources of the scene."""
     x, y, z = (float(value) for value in np.asarray(sky.sun))
-    sun = float(sky.direct_normal_illuminance) / WHITE_EFFICACY
-    below = reflectance / np.pi * (float(sky.diffuse_illuminance) / WHITE_EFFICACY + sun * max(z, 0.0))
+    sun = float(sky.direct_normal_illuminance) / RADIANCE_EFFICACY
+    below = reflectance / np.pi * (float(sky.diffuse_illuminance) / RADIANCE_EFFICACY + sun * max(z, 0.0))
     disc = f"{sun / SUN_SIZE:.6e}"
     shining = f"""void light solar
 0

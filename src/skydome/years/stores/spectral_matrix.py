@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from skydome.ground.units import deg
+from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.ground.writing import appearing
 from skydome.light.spectrum import xyz_weights
 from skydome.years.gendaymtx import text as matrix_text
-from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE, WHITE_EFFICACY
+from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE
 
 if TYPE_CHECKING:
     import xarray
@@ -96,6 +96,6 @@ def band_weights(wavelengths: np.ndarray) -> np.ndarray:
 def scaled(spectra: np.ndarray, luminance: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Spectra (..., N) from long to short with a luminance (...,), cd m-2, in Radiance's unit; 0 where none."""
     own = spectra @ weights
-    factor = np.divide(luminance / WHITE_EFFICACY, own, out=np.zeros_like(own), where=own > 0)
+    factor = np.divide(luminance / RADIANCE_EFFICACY, own, out=np.zeros_like(own), where=own > 0)
     lit: np.ndarray = (spectra * factor[..., None])[..., ::-1]
     return lit
