@@ -64,9 +64,9 @@ def office(tmp_path_factory, run_radiance):
     folder = tmp_path_factory.mktemp("office")
     (folder / "sky.rad").write_text(SKY)
     sensors = "".join(f"{x} {y} {z} 0 0 1\n" for x, y, z in POINTS).encode()
-    settings = ["-I+", "-y", len(POINTS), "-lw", "1e-5", "-n", "1"]
+    settings = ["-I+", "-y", len(POINTS), "-lw", "4e-6", "-n", "1"]
     for name, black, more in (
-        ("total", False, ["-ab", "5", "-ad", "12000"]),
+        ("total", False, ["-ab", "5", "-ad", "30000"]),
         ("direct", True, ["-ab", "1", "-ad", "12000"]),
     ):
         (folder / f"{name}.rad").write_text(scene_text(black))
