@@ -137,6 +137,11 @@ KERNEL_PAIRS = (
     ),
     Pair(
         "skies.all_air.single_scattering:lit_rays",
+        "skies.all_air.single_kernel:strengths",
+        "skies/all_air/test_many_suns.py::test_compiled_rays",
+    ),
+    Pair(
+        "skies.all_air.single_scattering:lit_rays",
         "own_air.all_air.solver_kernel:add_once",
         "own_air/all_air/test_teacher.py::test_light_scattered_once_is_that_of_the_sky",
     ),

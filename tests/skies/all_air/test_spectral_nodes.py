@@ -3,7 +3,7 @@
 import numpy as np
 
 import skydome as sd
-from skydome.skies.all_air import sky as all_air
+from skydome.skies.all_air import many_suns
 from skydome.skies.colour_sky import SpectralSky
 
 
@@ -26,7 +26,7 @@ def test_blocks_are_the_whole(monkeypatch):
     views = sd.direction(np.linspace(0, 6, 7), np.linspace(0.1, 1.5, 7))
     sky = sd.PhysicalSky(suns, sd.clear_air(np.array([[0.1], [0.2], [0.3], [0.05]])))
     whole = sky.xyz(views)
-    monkeypatch.setattr(all_air, "BLOCK", 5)
+    monkeypatch.setattr(many_suns, "FEW", 5)
     np.testing.assert_allclose(sky.xyz(views), whole, rtol=1e-12)
     assert (whole[0] == 0).all()
     assert (whole[1:] > 0).all()

@@ -1,11 +1,12 @@
 """Work on arrays that broadcast, some of it at a time, so that what is in between stays in the processor's cache."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-Block = tuple[slice, ...]
-"""A slice of every axis of the shape that arrays broadcast to."""
+Block = tuple[Any, ...]
+"""A slice of every axis of the shape that arrays broadcast to; the first may be an array of indices."""
 
 
 def blocks(shape: tuple[int, ...], most: int) -> Iterator[Block]:

@@ -55,11 +55,35 @@ def rows_times(rows: Array, matrix: Array) -> Array:
     return xp.reshape(flat, (*rows.shape[:-1], matrix.shape[-1]))
 
 
+@dataclass(frozen=True, eq=False)
+class ViewRay:
+    """What lies on bent rays whatever lights them, (..., S) or (..., S, K): by day of the axes of the views alone."""
+
+    heights: Array
+    """Of the nodes, m, (..., S)."""
+    local: Array
+    """Cosines of the bent ray to the vertical there, (..., S)."""
+    step: Array
+    """Length that each node stands for, m, (..., S)."""
+    density: Array
+    """m-1 of a vertical column, (..., S, K)."""
+    behind: Array
+    """Column from the node to the ground, in vertical columns, (..., S, K)."""
+
+
 def lit_rays(tables: ColumnTables, view: Array, sun: Array, between: Array) -> LitRay:
     """Rays from the ground with cosines `view` to the vertical, `sun` the sun's and `between` the two.
 
     They broadcast to (...,); by day what depends on the view alone is made once for each view.
     """
+    xp = namespace(view, sun, between)
+    ray = view_rays(tables, view, sun, between)
+    seen, left = tables.seen(ray.heights, sun_over(tables, at_least(view, 0.0), sun, between, ray))
+    return LitRay(ray.step * left, ray.density, tables.toward(ray.heights, xp.sin(seen)) + ray.behind)
+
+
+def view_rays(tables: ColumnTables, view: Array, sun: Array, between: Array) -> ViewRay:
+    """The rays that `lit_rays` lights: those of the views alone where no sun has set."""
     xp = namespace(view, sun, between)
     view = at_least(view, 0.0)
     end, first = rise(tables, view, tables.height), rise(tables, view, FIRST * tables.height)
@@ -74,21 +98,32 @@ def lit_rays(tables: ColumnTables, view: Array, sun: Array, between: Array) -> L
     heights, step, local = sampled(tables, view, shadow, end, start, NODES)
     density = tables.density(heights)
     sums = xp.matmul(constant(running_integral(NODES) / gauss_legendre(NODES)[1], view), density * step[..., None])
-    seen, left = tables.seen(heights, sun_over(tables, view, sun, between, heights, local))
-    return LitRay(step * left, density, tables.toward(heights, xp.sin(seen)) + (sums + shaded))
+    return ViewRay(heights, local, step, density, sums + shaded)
 
 
-def sun_over(tables: ColumnTables, view: Array, sun: Array, between: Array, heights: Array, local: Array) -> Array:
-    """True elevation of the sun where a bent view has risen to heights (..., S), radians, same shape.
+def arcs(tables: ColumnTables, view: Array, ray: ViewRay) -> Array:
+    """Angle at the planet's centre from the ground to where bent views have risen to nodes, radians, (..., S).
 
-    `local`: the view's cosines to the vertical there (..., S). A view that turns by an angle along the way is where
-    the sum of its turns and its angle to the vertical has gone.
+    A view that turns by an angle along the way is where the sum of its turns and its angle to the vertical has gone.
     """
     xp = namespace(view)
-    level = safe_sqrt(1 - view * view)
-    turn = tables.turned(xp.zeros_like(view), view)[..., None] - tables.turned(heights, local)
-    arc = xp.atan2(level, view)[..., None] + turn - xp.atan2(safe_sqrt(1 - local * local), local)
-    flat = safe_divide(between - view * sun, level + xp.zeros_like(between))
+    turn = tables.turned(xp.zeros_like(view), view)[..., None] - tables.turned(ray.heights, ray.local)
+    return (
+        xp.atan2(safe_sqrt(1 - view * view), view)[..., None]
+        + turn
+        - xp.atan2(safe_sqrt(1 - ray.local * ray.local), ray.local)
+    )
+
+
+def toward_sun(view: Array, sun: Array, between: Array) -> Array:
+    """Horizontal part of the sun's direction along a view, from the three cosines, (...,)."""
+    return safe_divide(between - view * sun, safe_sqrt(1 - view * view) + namespace(view).zeros_like(between))
+
+
+def sun_over(tables: ColumnTables, view: Array, sun: Array, between: Array, ray: ViewRay) -> Array:
+    """True elevation of the sun at the nodes of a bent view, radians, (..., S)."""
+    xp = namespace(view)
+    arc, flat = arcs(tables, view, ray), toward_sun(view, sun, between)
     sine = limited(xp.cos(arc) * sun[..., None] + xp.sin(arc) * flat[..., None], -1.0, 1.0)
     return xp.atan2(sine, safe_sqrt(1 - sine * sine))
 

@@ -14,12 +14,14 @@ from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, inside
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.bent_sun import BentSun
-from skydome.skies.all_air.blocks import blocks, part_of
+from skydome.skies.all_air.blocks import part_of
 from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
 from skydome.skies.all_air.lit_air import LitAir
+from skydome.skies.all_air.many_suns import LOWEST, by_kind
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
-from skydome.skies.all_air.single_scattering import as_seen, cosines, lit_rays
+from skydome.skies.all_air.single_scattering import as_seen, cosines
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
 from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
 from skydome.skies.colour_sky import SpectralSky
@@ -28,13 +30,9 @@ from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, s
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
-LOWEST = float(np.sin(np.radians(-18.0)))
-"""Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
 WAVELENGTHS = Range(300.0, 1100.0, "nm")
 SMOOTH = 8
 """Terms in the azimuth that tell the light scattered once, without its phase functions."""
-BLOCK = 1024
-"""Views at a time, of all suns together."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,11 +170,10 @@ class PhysicalSky(AtmosphereSky):
         if not is_numpy(sun) or any(np.ndim(law.mean_cosine(NODES[:1])) > 1 for law in self.laws):
             return times(self.light(sun, views, lit), factors)
         shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
-        light = np.zeros((*shape, factors.shape[-1]))
-        for block in blocks(shape, BLOCK):
-            here = part_of(sun, block)
-            if (here[..., 2] > LOWEST).any():
-                light[block] = times(self.light(here, part_of(views, block), lit.part(block)), factors)
+        light, once = np.zeros((*shape, factors.shape[-1])), chosen(int(np.prod(shape)))
+        for block in by_kind(sun, shape, once is compiled):
+            some = self.light(part_of(sun, block), part_of(views, block), lit.part(block), once)
+            light[block] = times(some, factors)
         return light
 
     @property
@@ -184,19 +181,19 @@ class PhysicalSky(AtmosphereSky):
         """The constituents' phase laws."""
         return [part.phase_law for part in self.atmosphere.constituents]
 
-    def light(self, sun: Array, views: Array, lit: LitAir) -> Array:
+    def light(self, sun: Array, views: Array, lit: LitAir, once: Once = in_arrays) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W)."""
         view, height, between = cosines(sun, views)
         turn = cosine_of_turn(sun, views)
         total = self.rest.radiance(lit.numbers, height, lambda network: network.at(view, turn))
         glow = cosines(as_seen(self.tables, sun), views)[2]
-        for law, strength in zip(self.laws, self.once(lit, view, height, between), strict=True):
+        for law, strength in zip(self.laws, self.once(lit, view, height, between, once), strict=True):
             total = total + strength * same(law.value(glow, lit.wavelengths), total)
         return total
 
-    def once(self, lit: LitAir, view: Array, height: Array, between: Array) -> list[Array]:
+    def once(self, lit: LitAir, view: Array, height: Array, between: Array, once: Once = in_arrays) -> list[Array]:
         """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
-        found = lit_rays(self.tables, view, height, between).strengths(lit.depths)
+        found = once(self.tables, view, height, between, lit.depths)
         return [strength * share for strength, share in zip(found, lit.shares, strict=True)]
 
     @cached_property
