@@ -85,6 +85,14 @@ from skydome.maps.equirectangular import EquirectangularOfWidth as Equirectangul
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
 from skydome.maps.targets import target as target
+from skydome.moon.events import MoonEvents as MoonEvents
+from skydome.moon.events import moon_events as moon_events
+from skydome.moon.phase import MoonPhase as MoonPhase
+from skydome.moon.phase import moon_phase as moon_phase
+from skydome.moon.position import lunar_radius as lunar_radius
+from skydome.moon.position import moon_angles as moon_angles
+from skydome.moon.position import moon_direction as moon_direction
+from skydome.moon.position import moon_distance as moon_distance
 from skydome.skies.all_air.sky import PhysicalSky as PhysicalSky
 from skydome.skies.all_air.taught_air import clear_air as clear_air
 from skydome.skies.blend import blend as blend
@@ -123,6 +131,8 @@ from skydome.skies.suns.preetham_sun import PreethamSun as PreethamSun
 from skydome.skies.suns.sun_disc import SunDisc as SunDisc
 from skydome.skies.uniform import MoonSpencer as MoonSpencer
 from skydome.skies.uniform import Uniform as Uniform
+from skydome.stars.planets import Planet as Planet
+from skydome.stars.planets import planets as planets
 from skydome.sun.events import SunEvents as SunEvents
 from skydome.sun.events import sun_events as sun_events
 from skydome.sun.path import SunPath as SunPath

@@ -8,7 +8,7 @@ import sys
 from graphlib import CycleError, TopologicalSorter
 
 FLOORS = {
-    "ground": 0, "sun": 1, "light": 1, "air": 2, "maps": 2, "skies": 3, "dome": 4,
+    "ground": 0, "sun": 1, "light": 1, "moon": 2, "stars": 2, "air": 2, "maps": 2, "skies": 3, "dome": 4,
     "surroundings": 5, "haze": 5, "eye": 5, "land": 6, "years": 6, "export": 6,
     "training": 7, "fitting": 7, "own_air": 7, "figures": 7, "explorer": 7, "captures": 8, "evaluation": 8, "cli": 9,
 }  # fmt: skip

@@ -14,5 +14,6 @@
 - printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
 - commands/         One command a file
+- night/             What the commands say of the night
 - learning/         Commands that measure, simulate and learn, one a file
 """

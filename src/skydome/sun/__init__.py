@@ -4,6 +4,7 @@
 - place              A place on the earth
 - delta_t            How far the earth's turning lags behind even time: terrestrial minus universal time
 - geocentric         The sun as seen from the earth's centre, in axes that turn with the earth
+- celestial          From the axes of the stars to those of a place: precession, nutation, turning, aberration
 - refraction         The air lifts the sun: refraction by the formula of NREL's Solar Position Algorithm
 - position           Where the sun stands over a place: from the earth's centre to the place, and lifted by the air
 - day                Day and night: the one place where it is decided which of them it is

@@ -38,3 +38,26 @@ def delta_t(years: np.ndarray) -> np.ndarray:
             years >= first, np.polynomial.polynomial.polyval((years - origin) / unit, coefficients), seconds
         )
     return seconds
+
+
+LEAPS_BEGIN, LEAPS_KNOWN, FORESEEN = 1972.0, 2027.0, 2050.0
+"""Years from which on a clock keeps UTC, until which its leap seconds are known, and from which on none of it is."""
+
+
+def clock_lag(years: np.ndarray) -> np.ndarray:
+    """TT - UTC, s, shape (N,), in decimal years (N,): by the leap seconds since 1972, before and later `delta_t`.
+
+    Between 2027 and 2050 it goes over from the one to the other. For what moves fast beside the earth: the moon.
+
+    >>> clock_lag(np.array([1972.1, 2000.0, 2026.0])).round(3).tolist()
+    [42.184, 64.184, 69.184]
+    """
+    from erfa import leap_seconds
+
+    table = leap_seconds.get()
+    since = table["year"] + (table["month"] - 1) / 12
+    counted = 32.184 + table["tai_utc"][np.maximum(np.searchsorted(since, years, side="right") - 1, 0)]
+    ahead = np.clip((years - LEAPS_KNOWN) / (FORESEEN - LEAPS_KNOWN), 0.0, 1.0)
+    polynomial = delta_t(years)
+    lag: np.ndarray = np.where(years < LEAPS_BEGIN, polynomial, counted + ahead * (polynomial - counted))
+    return lag

@@ -9,9 +9,10 @@ from collections.abc import Callable
 import numpy as np
 
 from skydome.ground.units import deg
+from skydome.sun.celestial import local_axes
 from skydome.sun.day_events import DAY, EVENTS, brackets, day_events, later, parts_of
 from skydome.sun.place import Place
-from skydome.sun.position import local_axes, sun_direction
+from skydome.sun.position import sun_direction
 from skydome.sun.track import SunTrack
 
 STEP, NEAR_A_TURN = 1200.0, 0.08 * deg

@@ -7,6 +7,7 @@ from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg
+from skydome.sun.celestial import local_axes, station
 from skydome.sun.geocentric import distances, earth_fixed
 from skydome.sun.place import Place
 from skydome.sun.refraction import lift, standard_pressure
@@ -14,12 +15,6 @@ from skydome.sun.times import Times, instants
 
 YEARS = (-1999, 3000)
 """Years for which the difference between terrestrial and universal time is known or foreseen (Espenak and Meeus)."""
-
-WGS84 = 1
-"""ERFA's number for the figure of the earth that places are given on."""
-
-ASTRONOMICAL_UNIT = 149597870700.0
-"""Metres (IAU 2012, resolution B2)."""
 
 SOLAR_RADIUS_AT_1_AU = 959.63 / 3600 * deg
 """Angular radius of the sun's disc at 1 AU, radians (959.63 arcsec; Auwers 1891, used by the almanacs)."""
@@ -47,9 +42,7 @@ def sun_direction(
     Place.required(place)
     require_kind(refraction, bool, "refraction", "True")
     toward = topocentric(place, checked_years(instants(time)))
-    if refraction:
-        return _as_seen(toward, standard_pressure(place.altitude) if pressure is None else pressure, temperature)
-    return toward
+    return lifted(toward, place, pressure, temperature) if refraction else toward
 
 
 @keeps_labels("rad", time=0)
@@ -70,27 +63,16 @@ def sun_angles(
 
 def topocentric(place: Place, utc: np.ndarray) -> np.ndarray:
     """Unit vectors from the place to the true sun, x east, y north, z up, shape (..., 3), at instants (...,)."""
-    from erfa import gd2gc
-
-    station = gd2gc(WGS84, place.longitude * deg, place.latitude * deg, place.altitude) / ASTRONOMICAL_UNIT
-    toward: np.ndarray = (earth_fixed(utc.ravel()) - station) @ local_axes(place).T
+    toward: np.ndarray = (earth_fixed(utc.ravel()) - station(place)) @ local_axes(place).T
     toward /= np.linalg.norm(toward, axis=-1, keepdims=True)
     return toward.reshape(*utc.shape, 3)
 
 
-def local_axes(place: Place) -> np.ndarray:
-    """East, north and up of a place in the earth's axes, the rows of a (3, 3) array."""
-    b, along = place.latitude * deg, place.longitude * deg
-    east = [-np.sin(along), np.cos(along), 0.0]
-    north = [-np.sin(b) * np.cos(along), -np.sin(b) * np.sin(along), np.cos(b)]
-    up = [np.cos(b) * np.cos(along), np.cos(b) * np.sin(along), np.sin(b)]
-    return np.array([east, north, up])
-
-
-def _as_seen(toward: np.ndarray, pressure: float, temperature: float) -> np.ndarray:
-    """Directions (..., 3) lifted by refraction."""
+def lifted(toward: np.ndarray, place: Place, pressure: float | None = None, temperature: float = 12.0) -> np.ndarray:
+    """Directions (..., 3) lifted by refraction, for `pressure` in Pa (None: that of the place's altitude)."""
     high = elevation(toward)
-    seen: np.ndarray = direction(azimuth(toward), high + lift(high, pressure, temperature))
+    raised = lift(high, standard_pressure(place.altitude) if pressure is None else pressure, temperature)
+    seen: np.ndarray = direction(azimuth(toward), high + raised)
     return seen
 
 

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from skydome.ground.interpolation import lagrange
+from skydome.sun.celestial import local_axes
 from skydome.sun.place import Place
-from skydome.sun.position import earth_sun_distance, local_axes, sun_direction
+from skydome.sun.position import earth_sun_distance, sun_direction
 
 DAY = 86400.0
 

@@ -1,9 +1,12 @@
 """`skydome sun`: where the sun stands and when it rises, sets and leaves the sky dark."""
 
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
+
+from typer import Option
 
 from skydome.cli.moment import Moment, aware_time, place_text
+from skydome.cli.night.moon_and_planets import moon_facts, moon_rows, planet_facts, planet_rows, seconds
 from skydome.cli.options import AsJson, SunOptions, taking
 from skydome.cli.printing import show
 
@@ -12,7 +15,12 @@ if TYPE_CHECKING:
 
 
 @taking(SunOptions)
-def sun(options: SunOptions, as_json: AsJson = False) -> None:
+def sun(
+    options: SunOptions,
+    moon: Annotated[bool, Option("--moon", help="Tell the moon too: place, phase, rise and set.")] = False,
+    planets: Annotated[bool, Option("--planets", help="Tell the planets too: place and magnitude.")] = False,
+    as_json: AsJson = False,
+) -> None:
     """Print the sun's position (NREL SPA, and Preetham's short formula), and the day's events; now without --time."""
     import skydome as sd
 
@@ -20,7 +28,14 @@ def sun(options: SunOptions, as_json: AsJson = False) -> None:
         raise ValueError("skydome sun needs --place LAT,LON[,ALT]" + (", not --sun" if options.sun else ""))
     place, time = sd.Place.parse(options.place), aware_time(options.time, options.zone)
     facts = sun_facts(place, time)
-    show(facts, sun_rows(facts, time), as_json)
+    rows = sun_rows(facts, time)
+    if moon:
+        facts["moon"] = moon_facts(place, time)
+        rows |= moon_rows(facts["moon"])
+    if planets:
+        facts["planets"] = planet_facts(place, time)
+        rows |= planet_rows(facts["planets"])
+    show(facts, rows, as_json)
 
 
 def sun_facts(place: Any, time: datetime) -> dict[str, Any]:
@@ -50,11 +65,6 @@ def angles(direction: "ArrayLike") -> dict[str, float]:
     """Azimuth and elevation in degrees."""
     moment = Moment(direction, 0.0)
     return {"azimuth_deg": moment.azimuth, "elevation_deg": moment.elevation}
-
-
-def seconds(time: datetime | None) -> str | None:
-    """A time as ISO text, to the second."""
-    return None if time is None else time.replace(microsecond=0).isoformat()
 
 
 def sun_rows(facts: dict[str, Any], time: datetime) -> dict[str, str]:

@@ -1,0 +1,35 @@
+"""The planets against the JPL's DE421 and skyfield's magnitudes."""
+
+from importlib.resources import files
+
+import numpy as np
+
+from skydome.ground.directions import angle_between, direction
+from skydome.ground.units import deg
+from skydome.stars.planets import planets
+from skydome.sun.geocentric import days_since_j2000
+from skydome.sun.place import Place
+
+NEAR = {"Mercury", "Venus", "Mars"}
+
+
+def test_directions_and_magnitudes_against_de421():
+    from skyfield.api import load, load_file, wgs84
+    from skyfield.magnitudelib import planetary_magnitude
+
+    random = np.random.default_rng(4)
+    times = np.datetime64("1950-01-01", "us") + random.integers(0, 100 * 365 * 86400, 300).astype("timedelta64[s]")
+    ephemeris = load_file(str(files("skyfield_data") / "data" / "de421.bsp"))
+    place = Place(48.0, 16.0, 200)
+    station = ephemeris["earth"] + wgs84.latlon(place.latitude, place.longitude, place.altitude)
+    at = station.at(load.timescale(builtin=True).ut1_jd(2451545.0 + days_since_j2000(times)))
+    for planet in planets(place, times):
+        seen = at.observe(ephemeris[planet.name if planet.name in NEAR else f"{planet.name} barycenter"])
+        elevation, azimuth, _ = seen.apparent().altaz()
+        off = angle_between(planet.direction, direction(azimuth.radians, elevation.radians)).max() / deg
+        plain = planet.phase_angle < 140 * deg
+        difference = np.abs(planetary_magnitude(seen) - planet.magnitude)[plain]
+        print(f"{planet.name}: {off:.4f} degrees, {np.nanmax(difference):.3f} magnitudes")
+        assert off < 0.03
+        assert np.nanmax(difference) < 0.12
+    ephemeris.close()
