@@ -1,26 +1,33 @@
 """`skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone."""
 
+import gc
 import os
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # halves the time that NumPy takes to start; nothing here needs more
 
 import sys
-from typing import Any, Literal, NamedTuple
+from typing import Any, BinaryIO, Literal, NamedTuple
 
-from skydome.cli.endings import DEBUG, complain, end_on_signals, ending
+from skydome.cli.endings import DEBUG, FORESEEN, complain, end_on_signals, ending, leave_at_once, sentence_of
 
 PROGRAM = "skydome-mtx"
 USAGE = (
     "usage: skydome-mtx [-v] [-h] [-A] [-d | -s | -n] [-u] [-D file [-M file]] [-5 degrees] [-r degrees] [-i minutes] "
-    "[-m N] [-g R G B] [-c R G B] [-oa | -of | -od] [-O0 | -O1] [tape.wea | site.epw] > sky.mtx"
+    "[-m N] [-g R G B] [-c R G B] [-oa | -of | -od] [-O0 | -O1] [tape.wea | site.epw] > sky.mtx; "
+    "or many files with --folder matrices"
 )
 BLACK = (0.0, 0.0, 0.0)
 
 
 class Asked(NamedTuple):
-    """The options of the command line, by gendaymtx's letters; the tape comes from standard input without a path."""
+    """The options of the command line, by gendaymtx's letters; the tape comes from standard input without a path.
+
+    With a `folder` the matrix of each of the `paths` is a file of its name there.
+    """
 
     path: str = "-"
+    paths: tuple[str, ...] = ("-",)
+    folder: str = ""
     division: int = 1
     numbers: Literal["ascii", "float", "double"] = "ascii"
     header: bool = True
@@ -57,15 +64,24 @@ VALUES = {"-m": "division", "-5": "disc", "-r": "rotation", "-rz": "rotation", "
 LIMITS = {
     "-m": (1, 12), "-5": (0, 179), "-r": (-1e6, 1e6), "-rz": (-1e6, 1e6), "-i": (0, 1440), "-c": (0, 1e6), "-g": (0, 1),
 }  # fmt: skip
-COLOURS, FILES = {"-c": "colour", "-g": "ground"}, {"-D": "suns", "-M": "modifiers"}
+COLOURS = {"-c": "colour", "-g": "ground"}
+FILES = {"-D": "suns", "-M": "modifiers", "--folder": "folder"}
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Write the matrix to stdout; exit code 0, or 2 with one line on stderr for bad input."""
     end_on_signals()
+    if arguments is None:
+        gc.disable()  # a program of a tenth of a second makes no garbage worth looking for: 10 ms
     with ending(PROGRAM, debug=DEBUG in sys.argv):
         words = sys.argv[1:] if arguments is None else arguments
-        convert(parsed([word for word in words if word != DEBUG]))
+        asked = parsed([word for word in words if word != DEBUG])
+        if asked.folder:
+            convert_many(asked)
+        else:
+            convert(asked, sys.stdout.buffer)
+    if arguments is None:
+        leave_at_once()
     return 0
 
 
@@ -87,9 +103,10 @@ def parsed(arguments: list[str]) -> Asked:
             paths.append(word)
         else:
             asked = asked._replace(**meaning(word, given))
-    if len(paths) > 1 or asked.division not in range(1, 13) or not 0 <= asked.minutes <= 1440:
+    if asked.division not in range(1, 13) or (len(paths) > 1 and not asked.folder):
         raise ValueError(USAGE)
-    return asked._replace(division=int(asked.division), path=(paths or ["-"])[0])
+    paths = paths or ["-"]
+    return asked._replace(division=int(asked.division), path=paths[0], paths=tuple(paths))
 
 
 def meaning(word: str, given: list[str]) -> dict[str, Any]:
@@ -113,8 +130,36 @@ def number_of(option: str, text: str) -> float:
     return number
 
 
-def convert(asked: Asked) -> None:
-    """Read the tape, write the suns and the matrix."""
+def convert_many(asked: Asked) -> None:
+    """Write the matrix of every tape into the folder, each whole or not at all; ValueError if some could not be done.
+
+    Those that fail are told one by one, and the others are done.
+    """
+    from pathlib import Path
+
+    from skydome.ground.writing import appearing
+
+    names = [Path(path).stem for path in asked.paths]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice or asked.suns or "-" in asked.paths:
+        raise ValueError(
+            f"--folder takes files of different names, without -D, got {', '.join(twice) or asked.suns or '-'}"
+        )
+    Path(asked.folder).mkdir(parents=True, exist_ok=True)
+    failed = 0
+    for name, path in zip(names, asked.paths, strict=True):
+        try:
+            with appearing(Path(asked.folder) / f"{name}.mtx") as beside, beside.open("wb") as file:
+                convert(asked._replace(path=path), file)
+        except (OSError, *FORESEEN) as error:
+            failed += 1
+            say(sentence_of(error))
+    if failed:
+        raise ValueError(f"{failed} of {len(names)} files could not be done")
+
+
+def convert(asked: Asked, file: BinaryIO) -> None:
+    """Read the tape, write the suns, and the matrix into `file`."""
     from skydome.years.gendaymtx import matrix as gendaymtx
     from skydome.years.gendaymtx.sun import Sun
 
@@ -129,7 +174,7 @@ def convert(asked: Asked) -> None:
     if asked.suns:
         write_suns(tape, choices, asked)
     if asked.matrix:
-        write_matrix(tape, choices, asked)
+        write_matrix(tape, choices, asked, file)
 
 
 def tape_at(asked: Asked) -> Any:
@@ -172,7 +217,7 @@ def write_suns(tape: Any, choices: Any, asked: Asked) -> None:
                 beside.write_text("".join(texts), encoding="ascii")
 
 
-def write_matrix(tape: Any, choices: Any, asked: Asked) -> None:
+def write_matrix(tape: Any, choices: Any, asked: Asked, file: BinaryIO) -> None:
     """Write the matrix, or the mean of its columns."""
     from skydome.years.gendaymtx import matrix as gendaymtx
     from skydome.years.gendaymtx import text as matrix_text
@@ -185,7 +230,7 @@ def write_matrix(tape: Any, choices: Any, asked: Asked) -> None:
         light, count = (part.mean(axis=1, dtype="float64", keepdims=True) for part in light), 1
     shape, place = (144 * asked.division**2 + 2, count), (tape.latitude, tape.longitude)
     maker = PROGRAM if asked.header else ""
-    matrix_text.write(sys.stdout.buffer, light, shape, place, asked.numbers, maker)
+    matrix_text.write(file, light, shape, place, asked.numbers, maker)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 import os
 import signal
 import sys
-import traceback
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -37,6 +36,8 @@ def ending(program: str, debug: bool = False) -> Iterator[None]:
         leave(0)
     except Exception as error:
         if debug:
+            import traceback
+
             traceback.print_exc()
         complain(program, sentence_of(error))
         leave(BAD_INPUT)
@@ -51,6 +52,14 @@ def leave(code: int) -> None:
             with suppress(OSError, ValueError):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     sys.exit(code)
+
+
+def leave_at_once() -> None:
+    """Exit with 0 of a program whose work is done: the taking down of an interpreter with NumPy takes 20 ms."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+    os._exit(0)
 
 
 def open_streams() -> None:

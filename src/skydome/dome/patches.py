@@ -6,13 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
+from skydome.dome.tregenza import TREGENZA_COUNTS
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.quadrature import gauss_legendre
-
-TREGENZA_COUNTS = (30, 30, 24, 24, 18, 12, 6)
-"""Patches in each row from the horizon up; one more sits at the zenith (Tregenza 1987; Radiance's reinhart.cal)."""
 
 NAMES = "tregenza, reinhart:N or equal-area:N with N from 1 to 12"
 FINEST = 12

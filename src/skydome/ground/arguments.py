@@ -1,15 +1,19 @@
 """What is asked of arguments before any work: their kind, files that are there, shapes that go together."""
 
+import os
 from collections.abc import Iterable
 from os import PathLike
-from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from skydome.ground.arrays import Array, brief, floating, floats
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import ArrayLike
 
 Kind = type | UnionType
 """A class, or several: `Spectrum | None`."""
@@ -35,7 +39,7 @@ def require_kind(value: object, kind: Kind, name: str, example: str) -> None:
         raise TypeError(f"{name} must be of kind {named(kind)}, as {example}, got {brief(value)}")
 
 
-def numbers(value: ArrayLike, name: str) -> np.ndarray:
+def numbers(value: "ArrayLike", name: str) -> np.ndarray:
     """The value as a new float64 array, copied; TypeError by its name for what holds no numbers.
 
     >>> numbers("blue", "wavelengths")
@@ -71,31 +75,43 @@ def require_word(value: object, words: Iterable[str], name: str) -> str:
     return value
 
 
-def require_path(path: str | PathLike[str], what: str) -> Path:
-    """The path; TypeError for what is no path.
+def path_text(path: str | PathLike[str], what: str) -> str:
+    """The path as text; TypeError for what is no path.
 
-    >>> require_path(None, "a map")
+    >>> path_text(None, "a map")
     Traceback (most recent call last):
     TypeError: a map must be given by its path, got None
     """
     if not isinstance(path, str | PathLike):
         raise TypeError(f"{what} must be given by its path, got {brief(path)}")
-    return Path(path)
+    return os.fspath(path)
 
 
-def require_file(path: str | PathLike[str], what: str) -> Path:
-    """The path; FileNotFoundError or IsADirectoryError in a sentence where no file is there to be read.
+def existing_file(path: str | PathLike[str], what: str) -> str:
+    """The path as text; FileNotFoundError or IsADirectoryError in a sentence where no file is there to be read.
 
-    >>> require_file("none.exr", "a map")
+    >>> existing_file("none.exr", "a map")
     Traceback (most recent call last):
     FileNotFoundError: a map must be a file that exists, got none.exr
     """
-    path = require_path(path, what)
-    if path.is_dir():
-        raise IsADirectoryError(f"{what} must be a file, got the folder {path}")
-    if not path.exists():
-        raise FileNotFoundError(f"{what} must be a file that exists, got {path}")
-    return path
+    text = path_text(path, what)
+    if os.path.isdir(text):
+        raise IsADirectoryError(f"{what} must be a file, got the folder {text}")
+    if not os.path.exists(text):
+        raise FileNotFoundError(f"{what} must be a file that exists, got {text}")
+    return text
+
+
+def require_path(path: str | PathLike[str], what: str) -> "Path":
+    """The path; TypeError for what is no path."""
+    from pathlib import Path
+
+    return Path(path_text(path, what))
+
+
+def require_file(path: str | PathLike[str], what: str) -> "Path":
+    """The path; FileNotFoundError or IsADirectoryError in a sentence where no file is there to be read."""
+    return require_path(existing_file(path, what), what)
 
 
 def broadcast_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:

@@ -161,7 +161,7 @@ def test_night_begins_at_18_degrees():
 
 
 def test_a_damaged_file_is_told_in_one_line(tmp_path):
-    from skydome.ground.tables import DATA
+    from skydome.ground.data import DATA
     from skydome.skies.all_air.rest_files import load_rest, save_rest, shipped_rest
 
     whole = (DATA / "physical_sky.safetensors").read_bytes()

@@ -110,6 +110,21 @@ def test_other_kinds_of_files_too(files, tmp_path):
     assert np.allclose(values, expected, rtol=1e-3, atol=1e-6)
 
 
+def test_many_sites(summer, tmp_path):
+    """Each matrix is that of the file alone; one that cannot be read is told, and the others are done."""
+    (tmp_path / "b.wea").write_text(summer.read_text().replace("latitude 52", "latitude -20"))
+    (tmp_path / "bad.wea").write_text("nonsense")
+    answer = ours(
+        "-of", "--folder", tmp_path / "out", *(tmp_path / f"{name}.wea" for name in ("a", "bad", "none", "b")), check=False
+    )
+    assert answer.returncode == 2
+    assert answer.stderr.decode().splitlines()[0].startswith("skydome-mtx: bad.wea, line 1: not a weather file")
+    assert "2 of 4 files" in answer.stderr.decode()
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["a.mtx", "b.mtx"]
+    for name in ("a", "b"):
+        assert (tmp_path / "out" / f"{name}.mtx").read_bytes() == ours("-of", tmp_path / f"{name}.wea").stdout
+
+
 @pytest.mark.parametrize(
     ("words", "text", "message"),
     [

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.data import DATA
 from skydome.ground.files.reading import decoding, tensors_in
 from skydome.ground.files.tensors import tensor_bytes
-from skydome.ground.tables import DATA
 from skydome.ground.writing import appearing
 from skydome.skies.neural.network import OUTPUTS, Network
 

@@ -76,13 +76,21 @@ def radiances(skies: Skies, division: int) -> Iterator[np.ndarray]:
     The array is used again for the next patches.
     """
     yield lit_ground(skies)
-    total = horizontal_sums(skies, division)
+    total, rows = horizontal_sums(skies, division)
     black = np.flatnonzero(total == 0)
     uniform = (skies.diffuse[black] / (RADIANCE_EFFICACY * np.pi)).astype(np.float32)
     level = np.divide(skies.diffuse, RADIANCE_EFFICACY * total, out=np.zeros_like(total), where=total > 0)
-    for light, _, _ in patch_rows(skies, division, level):
+    for light in levelled(rows, level) if rows else (light for light, _, _ in patch_rows(skies, division, level)):
         if black.size:
             light[:, black] = uniform
+        yield light
+
+
+def levelled(rows: list[np.ndarray], level: np.ndarray) -> Iterator[np.ndarray]:
+    """Relative luminances (J, K), some patches at a time, times `level` (K,), in place."""
+    factor = level.astype(np.float32)
+    for light in rows:
+        light *= factor
         yield light
 
 

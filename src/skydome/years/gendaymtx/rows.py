@@ -4,15 +4,20 @@ The indicatrix is written out in place here: `perez_formula.indicatrix` takes 4.
 """
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from skydome.dome.patches import TREGENZA_COUNTS
+from skydome.dome.tregenza import TREGENZA_COUNTS
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 BLOCK = 16384
 """Values worked on at once."""
+
+KEPT = 2**20
+"""Values that are kept between two passes, 4 MB; more are quicker computed twice."""
 
 
 class Skies(NamedTuple):
@@ -42,7 +47,7 @@ def rows_of(division: int) -> list[tuple[float, int, float]]:
     return [*rows, (float(np.float32(np.pi / 2)), 1, float(2 * np.pi * (1 - np.cos(step / 2))))]
 
 
-def patch_rows(skies: Skies, division: int, level: ArrayLike = 1.0) -> Iterator[tuple[np.ndarray, float, float]]:
+def patch_rows(skies: Skies, division: int, level: "ArrayLike" = 1.0) -> Iterator[tuple[np.ndarray, float, float]]:
     """Luminance of some patches (J, K), float32, their elevation and solid angle; patch by patch in Radiance's order.
 
     Relative, times `level` (K,). The array is used again for the next patches. The angle to the sun by the haversine
@@ -100,9 +105,15 @@ def indicatrix(
     return lit
 
 
-def horizontal_sums(skies: Skies, division: int) -> np.ndarray:
-    """Sum over the patches of relative luminance, sine of elevation and solid angle, (K,): relative illuminance."""
-    total = np.zeros(skies.zenith.size)
+def horizontal_sums(skies: Skies, division: int) -> tuple[np.ndarray, list[np.ndarray]]:
+    """Sum over the patches of relative luminance, sine of elevation and solid angle, (K,): relative illuminance.
+
+    And the luminances themselves, some patches at a time, where they are few enough to be kept: `KEPT`.
+    """
+    total, kept = np.zeros(skies.zenith.size), []
+    few = (144 * division**2 + 1) * skies.zenith.size <= KEPT
     for light, elevation, size in patch_rows(skies, division):
         total += light.sum(axis=0) * (np.sin(elevation) * size)
-    return total
+        if few:
+            kept.append(light.copy())
+    return total, kept

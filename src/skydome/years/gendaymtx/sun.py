@@ -13,6 +13,9 @@ NEARNESS = 1.002
 BESIDE = np.arange(-1, 3)
 """Patches of a row that are looked at, from the last one before the sun's azimuth: its four nearest."""
 
+ROWS = 5
+"""Rows that are looked at."""
+
 
 class Sun(NamedTuple):
     """How a sun is put into patches: over how many, and of what solid angle, sr (0: each patch's own)."""
@@ -50,31 +53,47 @@ class SunLight(NamedTuple):
 def sun_light(skies: Skies, division: int, sun: Sun) -> SunLight:
     """The sun's light of every hour with any, in the nearest patches, also of a sun below the horizon."""
     hours = np.flatnonzero(skies.beam > LEAST_LIGHT)
-    toward = unit_vectors(skies.altitude[hours], skies.azimuth[hours])
-    patch, cosine, size = candidates(toward, skies.azimuth[hours], division)
-    near = np.argsort(-cosine, axis=0, kind="stable")[: sun.patches]
-    patch, cosine, size = (np.take_along_axis(values, near, 0) for values in (patch, cosine, size))
+    patch, cosine, size = candidates(skies.altitude[hours], skies.azimuth[hours], division)
+    near = largest(cosine, sun.patches)
+    patch, cosine, size = (values[np.arange(hours.size)[:, None], near] for values in (patch, cosine, size))
     weight = 1 / (NEARNESS - cosine)
-    light = weight / weight.sum(axis=0) * skies.beam[hours] / (sun.solid_angle or size)
-    hour = np.broadcast_to(hours, patch.shape)
-    order = np.argsort(patch, axis=None, kind="stable")
+    light = weight / weight.sum(axis=1, keepdims=True) * (skies.beam[hours, None] / (sun.solid_angle or size))
+    hour = np.broadcast_to(hours[:, None], patch.shape)
+    order = np.argsort(patch.astype(np.uint16), axis=None, kind="stable")
     return SunLight(patch.ravel()[order], hour.ravel()[order], light.ravel()[order])
 
 
-def candidates(toward: np.ndarray, azimuth: np.ndarray, division: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Patches that can be among the four nearest to each direction (K, 3): index, cosine and size, each (C, K)."""
-    found: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
-    first = 0
-    for elevation, count, size in rows_of(division):
-        before = np.floor(azimuth / (2 * np.pi) * count).astype(np.int64)
-        place = (before + BESIDE[:, None]) % count if count > 1 else np.zeros((1, azimuth.size), np.int64)
-        turn = (2 * np.pi * np.arange(count) / count).astype(np.float32).astype(np.float64)
-        centres = unit_vectors(np.full(count, elevation), turn)[place]
-        cosine = np.einsum("cki,ki->ck", centres, toward)
-        found.append((first + place, cosine, np.full(place.shape, float(np.float32(size)))))
-        first += count
-    patch, cosine, sizes = (np.concatenate(column) for column in zip(*found, strict=True))
-    return patch, cosine, sizes
+def largest(values: np.ndarray, count: int) -> np.ndarray:
+    """Where the largest values of each row (K, C) stand, (K, count), the first of equal ones first."""
+    left, found = values.copy(), np.empty((len(values), count), np.int64)
+    for k in range(count):
+        found[:, k] = left.argmax(axis=1)
+        left[np.arange(len(left)), found[:, k]] = -np.inf
+    return found
+
+
+def candidates(altitude: np.ndarray, azimuth: np.ndarray, division: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Patches that can be among the four nearest to each sun (K,): index, cosine and size, each (K, C).
+
+    Four in each of the five rows about the sun: those further off are further than the four nearest are.
+    """
+    elevations, counts, sizes = (np.array(column) for column in zip(*rows_of(division), strict=True))
+    own = np.rint(altitude / elevations[0] / 2 - 0.5).astype(np.int64)
+    row = np.clip(own - 2, 0, counts.size - ROWS)[:, None] + np.arange(ROWS)  # (K, R)
+    count = counts[row]
+    before = np.floor(azimuth[:, None] / (2 * np.pi) * count) % count
+    place = before[..., None] + BESIDE  # (K, R, 4)
+    place += count[..., None] * ((place < 0) * 1.0 - (place >= count[..., None]))
+    turn = (2 * np.pi * place / count[..., None]).astype(np.float32)
+    upright = np.sin(elevations)[row] * np.sin(altitude)[:, None]
+    level = np.cos(elevations)[row] * np.cos(altitude)[:, None]
+    cosine = upright[..., None] + level[..., None] * np.cos(turn - azimuth[:, None, None])
+    zenith = count == 1
+    place[zenith], cosine[zenith, 1:] = 0.0, -2.0  # one patch, once
+    patch = (np.cumsum(counts) - counts)[row][..., None] + place.astype(np.int64)
+    size = np.broadcast_to(sizes.astype(np.float32).astype(np.float64)[row][..., None], place.shape)
+    every = (altitude.size, ROWS * BESIDE.size)
+    return patch.reshape(every), cosine.reshape(every), size.reshape(every)
 
 
 def unit_vectors(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:

@@ -8,7 +8,6 @@ an empty cell, nan, NA, null | missing: NaN | a number is not invented
 -99, -900 and below, 9999 and above | missing | -999, -9999, -9900, 9999, 99990 are what programs write
 """
 
-import csv
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -18,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from skydome.ground.arguments import require_file, require_path
+from skydome.ground.arguments import existing_file, path_text
 
 LARGEST = 256 * 2**20
 """Bytes of text that are read, at most: a year of minutes has 80 MB."""
@@ -48,7 +47,7 @@ def text_of(path: "str | PathLike[str] | Text") -> Text:
     """
     if isinstance(path, Text):
         return path
-    name = require_path(path, "weather").name
+    name = os.path.basename(path_text(path, "weather"))
     content = content_of(path)
     if len(content) > LARGEST:
         raise ValueError(f"{name}: a weather file may have {LARGEST // 2**20} MiB of text, got more")
@@ -61,7 +60,7 @@ def content_of(path: str | PathLike[str]) -> bytes:
         import sys
 
         return sys.stdin.buffer.read(LARGEST + 1)
-    with require_file(path, "a weather file").open("rb") as file:
+    with open(existing_file(path, "a weather file"), "rb") as file:
         content = file.read(LARGEST + 1)
     if not content.startswith(b"\x1f\x8b"):
         return content
@@ -97,6 +96,8 @@ def cells_of(line: str) -> list[str]:
     """
     if '"' not in line:
         return [cell.strip() for cell in line.split(",")]
+    import csv
+
     try:
         return [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True))]
     except csv.Error:
