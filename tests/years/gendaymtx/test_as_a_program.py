@@ -115,7 +115,7 @@ def test_many_sites(summer, tmp_path):
     (tmp_path / "b.wea").write_text(summer.read_text().replace("latitude 52", "latitude -20"))
     (tmp_path / "bad.wea").write_text("nonsense")
     answer = ours(
-        "-of", "--folder", tmp_path / "out", *(tmp_path / f"{name}.wea" for name in ("a", "bad", "none", "b")), check=False
+        "-of", "--folder", tmp_path / "out", *(tmp_path / f"{k}.wea" for k in ("a", "bad", "none", "b")), check=False
     )
     assert answer.returncode == 2
     assert answer.stderr.decode().splitlines()[0].startswith("skydome-mtx: bad.wea, line 1: not a weather file")
