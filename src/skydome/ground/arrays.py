@@ -221,6 +221,8 @@ def as_numpy(value: object) -> np.ndarray:
 
 def safe_sqrt(x: Array) -> Array:
     """Square root, 0 where x <= 0, with gradient 0 there (the plain root's is infinite or NaN)."""
+    if isinstance(x, np.ndarray):
+        return np.asarray(np.sqrt(np.fmax(x, x.dtype.type(0))))
     xp = namespace(x)
     positive = x > 0
     return xp.where(positive, xp.sqrt(xp.where(positive, x, xp.ones_like(x))), xp.zeros_like(x))
@@ -230,17 +232,23 @@ def safe_divide(numerator: Array, denominator: Array) -> Array:
     """Quotient, and 0 where the denominator is 0, without warnings or NaN gradients."""
     xp = namespace(numerator, denominator)
     usable = denominator != 0
+    if xp is np and np.all(usable):
+        return np.asarray(numerator / denominator)
     ratio = numerator / xp.where(usable, denominator, xp.ones_like(denominator))
     return xp.where(usable, ratio, xp.zeros_like(ratio))
 
 
 def at_least(x: Array, low: float) -> Array:
     """Elementwise maximum of x and the number `low` in the dtype of x."""
+    if isinstance(x, np.ndarray):
+        return np.asarray(np.fmax(x, x.dtype.type(low)))
     xp = namespace(x)
     return xp.where(x > low, x, xp.full_like(x, low))
 
 
 def limited(x: Array, low: float, high: float) -> Array:
     """Elementwise x clamped to [low, high] in the dtype of x."""
+    if isinstance(x, np.ndarray):
+        return np.asarray(np.fmax(np.fmin(x, x.dtype.type(high)), x.dtype.type(low)))
     xp = namespace(x)
     return xp.where(x < high, at_least(x, low), xp.full_like(x, high))

@@ -4,8 +4,8 @@ Both are linear between nodes that crowd at the ground and at the horizontal, an
 bends; a ray that falls first is made of two that rise: twice the column from where it is lowest, less the one behind.
 """
 
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -40,6 +40,18 @@ class ColumnTables:
         """
         return tables_of(tuple(part.profile for part in air.constituents), air.radius, air.height, refractivity)
 
+    @cached_property
+    def single(self) -> "ColumnTables":
+        """The same in float32, for rays in float32: tables are cast once, not at each look."""
+        names = ("turned", "horizon", "lift", "share")
+        bent = replace(self.bent, **{name: getattr(self.bent, name).astype(np.float32) for name in names})
+        return ColumnTables(bent, *(part.astype(np.float32) for part in (self.columns, self.level, self.densities)))
+
+    @cached_property
+    def lift_and_share(self) -> np.ndarray:
+        """Of the bent sun, (2, heights, places)."""
+        return np.stack([self.bent.lift, self.bent.share])
+
     @property
     def radius(self) -> float:
         """Of the planet, m."""
@@ -72,7 +84,7 @@ class ColumnTables:
         row = self.row(heights, HEIGHTS)
         horizon = between(self.bent.horizon[None], row)[0]
         above = limited((elevation - horizon) / (np.pi / 2 - horizon), 0.0, 1.0)
-        both = among(np.stack([self.bent.lift, self.bent.share]), row, safe_sqrt(above) * (COSINES - 1))
+        both = among(self.lift_and_share, row, safe_sqrt(above) * (COSINES - 1))
         share = xp.where(elevation < horizon, xp.zeros_like(elevation), both[1])
         return elevation + both[0], share
 

@@ -31,8 +31,10 @@ from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 WAVELENGTHS = Range(300.0, 1100.0, "nm")
-SMOOTH = 8
-"""Terms in the azimuth that tell the light scattered once, without its phase functions."""
+SMOOTH, SMOOTHER = 8, 4
+"""Terms in the azimuth that tell the light scattered once, without its phase functions: under a low sun, a high one."""
+LOW_SUN = 0.05
+"""Sine of the elevation up to which the sun is low."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,7 +195,8 @@ class PhysicalSky(AtmosphereSky):
 
     def once(self, lit: LitAir, view: Array, height: Array, between: Array, once: Once = in_arrays) -> list[Array]:
         """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
-        found = once(self.tables, view, height, between, lit.depths)
+        tables = self.tables.single if between.dtype == np.float32 else self.tables
+        found = once(tables, view, height, between, lit.depths)
         return [strength * share for strength, share in zip(found, lit.shares, strict=True)]
 
     @cached_property
@@ -206,7 +209,9 @@ class PhysicalSky(AtmosphereSky):
         sun = np.asarray(self.sun, dtype=np.float64)
         if sun.shape != (3,):
             raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
-        view, _, between = (part.astype(np.float32) for part in node_cosines(sun, SMOOTH))
+        view, _, between = (
+            part.astype(np.float32) for part in node_cosines(sun, SMOOTHER if sun[2] > LOW_SUN else SMOOTH)
+        )
         turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
         lit, height = self.at(NODES).single(), np.float32(sun[2])
         strengths = self.once(lit, view, height, between)
