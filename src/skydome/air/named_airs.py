@@ -153,8 +153,7 @@ class NamedAirs:
         require("turbidity", turbidity, TURBIDITY)
         require_one("turbidity", turbidity)
         require_kind(aerosol, Aerosol, "aerosol", "CONTINENTAL")
-        depth = (turbidity - 1) * float(rayleigh_depth([550.0])[0])
-        return cls.of_aerosol(replace(aerosol, optical_depth=depth), **others)
+        return cls.of_aerosol(replace(aerosol, optical_depth=depth_of_turbidity(turbidity)), **others)
 
     @classmethod
     def from_visibility(cls, metres: float, **others: Any) -> Any:
@@ -182,6 +181,11 @@ class NamedAirs:
         [0.12]
         """
         return cls.of_aerosol(replace(kind.aerosol, optical_depth=angstrom_through(wavelengths, depths)), **others)
+
+
+def depth_of_turbidity(turbidity: Any) -> Any:
+    """Optical depth of aerosol at 550 nm, of one turbidity or many (...,)."""
+    return (turbidity - 1) * float(rayleigh_depth([550.0])[0])
 
 
 def angstrom_through(wavelengths: ArrayLike, depths: ArrayLike) -> Spectrum:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
+from skydome.air.named_airs import depth_of_turbidity
 from skydome.ground.limits.ranges import Range
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
@@ -187,6 +188,18 @@ class AirModel(Model):
 @dataclass(frozen=True)
 class PhysicalModel(AirModel):
     """The physical sky, of an aerosol that makes up the turbidity at 550 nm."""
+
+    @property
+    def is_clear_spectrum(self) -> bool:
+        """It is, for many suns and airs at once."""
+        return True
+
+    def air(self, given: Mapping[str, Any]) -> Any:
+        """Air of the usual aerosol, or many airs of turbidities (..., 1)."""
+        if np.ndim(given.get("turbidity", 0.0)) == 0:
+            return super().air(given)
+        depth = depth_of_turbidity(np.asarray(given["turbidity"], np.float64))
+        return Atmosphere.standard(depth, albedo=given.get("albedo", USUAL["albedo"]))
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None

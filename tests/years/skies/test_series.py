@@ -204,7 +204,7 @@ def test_action_spectra_for_daylight():
     [
         ({"compat": "gensky"}, "compat must be one of paper, gendaylit, gendaymtx"),
         ({"patches": "klems"}, "patches must be tregenza"),
-        ({"colour": "blue"}, "colour must be one of hosek-wilkie, preetham, got 'blue'"),
+        ({"colour": "blue"}, "colour must be one of physical, hosek-wilkie, preetham, got 'blue'"),
         ({"wavelengths": [400.0, 500.0]}, "wavelengths need a colour"),
     ],
 )

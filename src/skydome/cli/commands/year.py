@@ -26,7 +26,8 @@ def year(
     compat: Annotated[str, Option(metavar="paper|gendaylit|gendaymtx", help="Whose rules.")] = "paper",
     smooth: Annotated[bool, Option("--smooth", help="Blend neighbouring bins of clearness (ours).")] = False,
     colour: Annotated[
-        str | None, Option(metavar="MODEL", help="The clear sky that lends its colours: preetham, hosek-wilkie ...")
+        str | None,
+        Option(metavar="MODEL", help="Clear sky that lends its colours: physical (twilight too), preetham ..."),
     ] = None,
     turbidity: Annotated[float, Option(help="Haze of that clear sky.")] = 3.0,
     wavelengths: Annotated[

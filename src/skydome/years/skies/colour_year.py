@@ -9,6 +9,7 @@ from skydome.ground.arrays import safe_divide
 from skydome.light.colour_temperature import colour_temperature
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.model import Model
 from skydome.years.skies.action_spectra import melanopic_edi, photosynthetic_photons
 from skydome.years.skies.clouds import cloud_share, overcast_light, overcast_xyz
 from skydome.years.skies.perez_year import PerezYear
@@ -20,15 +21,21 @@ VALUES_AT_ONCE = 1 << 21
 EVERY = np.arange(380.0, 781.0, 10.0)
 
 
-def clear_sky(kind: str, suns: np.ndarray, turbidity: Any) -> SpectralSky:
-    """The clear sky that lends its colour, parameters (K, 1); ValueError for another name."""
+def lender(kind: str) -> Model:
+    """The clear model that lends its colour; ValueError for another name."""
     from skydome.skies.catalogue import CATALOGUE
 
     lenders = {model.name: model for model in CATALOGUE if model.is_clear_spectrum}
     if kind not in lenders:
         raise ValueError(f"colour must be one of {', '.join(lenders)}, got {kind!r}")
-    haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), (len(suns),))[:, None]
-    sky: Any = lenders[kind].make(suns[:, None], {"turbidity": haze})
+    return lenders[kind]
+
+
+def clear_sky(kind: str, suns: np.ndarray, turbidity: Any) -> SpectralSky:
+    """The clear sky that lends its colour under suns (K, 3), parameters (K, 1), or a number where it is one."""
+    haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), (len(suns),))
+    one = len(haze) > 0 and bool((haze == haze[0]).all())
+    sky: Any = lender(kind).make(suns[:, None], {"turbidity": float(haze[0]) if one else haze[:, None]})
     clear: SpectralSky = sky
     return clear
 

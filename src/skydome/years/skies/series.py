@@ -19,6 +19,7 @@ from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
 from skydome.years.skies.perez_year import PerezYear, neighbours, perez_year
+from skydome.years.skies.twilight import with_twilight
 from skydome.years.weather.calendar import Label
 from skydome.years.weather.closure import aligned, facts_of
 from skydome.years.weather.frame import is_frame
@@ -61,7 +62,8 @@ def year(
     (ours). `colour` (a clear spectral model by name, for `turbidity`) adds `xyz` (time, patch, channel) and the
     diffuse colour temperature; with `wavelengths` (W,), nm, also `radiance` (time, patch, wavelength), melanopic
     EDI and PAR of the diffuse horizontal light: the chromaticity or spectrum of that clear sky and of overcast
-    light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's luminance.
+    light, mixed by the share of `clouds` (estimated from the direct light if None; 0-1), at Perez's luminance. The
+    colour "physical" also lights twilight, down to a sun of -18 degrees, by its own luminance (flagged "twilight").
 
     >>> import pandas as pd, skydome as sd
     >>> times = pd.date_range("2026-06-21T06:00", periods=12, freq="h", tz="UTC")
@@ -105,6 +107,7 @@ def year(
         data["diffuse_horizontal_illuminance"].values[:] = luminance @ cut.horizontal_solid_angles
     if colour is not None:
         air = Weathered.of(sky, weather.count, turbidity, clouds)
+        sky, air = with_twilight(data, sky, cut, colour, air, turbidity)
         add_colour(data, sky, cut, colour, air)
         if wavelengths is not None:
             add_spectrum(data, sky, cut, colour, air, wavelengths)

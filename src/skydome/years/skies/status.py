@@ -15,6 +15,7 @@ FLAGS = {
     "uniform": "the formula is negative all over even so: a uniform sky",
     "cut_off": "the formula is negative in part of the sky, which is 0 there",
     "no_dew_point": "dew point missing: 11 degrees C",
+    "twilight": "the sun is less than 18 degrees down: the light of the clear sky that lends its colour",
 }
 """Name and meaning, from the lowest bit up."""
 
