@@ -232,8 +232,6 @@ def safe_divide(numerator: Array, denominator: Array) -> Array:
     """Quotient, and 0 where the denominator is 0, without warnings or NaN gradients."""
     xp = namespace(numerator, denominator)
     usable = denominator != 0
-    if xp is np and np.all(usable):
-        return np.asarray(numerator / denominator)
     ratio = numerator / xp.where(usable, denominator, xp.ones_like(denominator))
     return xp.where(usable, ratio, xp.zeros_like(ratio))
 
@@ -242,13 +240,11 @@ def at_least(x: Array, low: float) -> Array:
     """Elementwise maximum of x and the number `low` in the dtype of x."""
     if isinstance(x, np.ndarray):
         return np.asarray(np.fmax(x, x.dtype.type(low)))
-    xp = namespace(x)
-    return xp.where(x > low, x, xp.full_like(x, low))
+    return namespace(x).where(x > low, x, namespace(x).full_like(x, low))
 
 
 def limited(x: Array, low: float, high: float) -> Array:
     """Elementwise x clamped to [low, high] in the dtype of x."""
     if isinstance(x, np.ndarray):
         return np.asarray(np.fmax(np.fmin(x, x.dtype.type(high)), x.dtype.type(low)))
-    xp = namespace(x)
-    return xp.where(x < high, at_least(x, low), xp.full_like(x, high))
+    return namespace(x).where(x < high, at_least(x, low), namespace(x).full_like(x, high))

@@ -6,7 +6,8 @@
 - single_scattering   Light scattered once in round shells, in arrays of any library, with gradients
 - column_tables       Densities and columns of constituents as tables that any library looks up
 - spectral_nodes      Eleven wavelengths that stand for the spectrum in colours
-- fast                That light of many rays compiled (single_kernel), or in arrays
+- fast                That light of many rays, compiled or in arrays
+- single_kernel       Its compiled form
 - many_suns           Suns of a kind together: night costs nothing, only twilight pays for twilight
 - blocks              Work on arrays that broadcast, some of it at a time
 - bent_sun            The sun's disc through that air: lifted, flattened, reddened

@@ -20,7 +20,7 @@ def with_twilight(
 ) -> tuple[PerezYear, Weathered]:
     """The lit hours and their weather with those of twilight after them, whose light is put into `data`.
 
-    They are the intervals without sun at whose middle it stands within 18 degrees below the horizon, flagged "twilight":
+    They are the intervals at whose middle the sun is within 18 degrees below the horizon, flagged "twilight":
     luminance and diffuse illuminance are those of the clear sky of that `colour`, for nothing measured tells of
     clouds. A sky that knows no twilight adds none.
     """
