@@ -59,6 +59,8 @@ HOME = {
     "skies.physical.held": "held",
     "skies.path_tracing.sky": "PathTraced",
     "skies.physical.prague.sky": "Prague",
+    "skies.night.moonlight": "Moonlight",
+    "skies.night.moon_disc": "MoonDisc",
     "skies.series": "luminance_series",
     "dome.render": "render",
     "dome.render_pixels": "render_pixels",

@@ -114,6 +114,8 @@ from skydome.skies.hosek_wilkie import HosekWilkie as HosekWilkie
 from skydome.skies.hosek_wilkie import HosekWilkieRGB as HosekWilkieRGB
 from skydome.skies.neural.sky import NeuralSky as NeuralSky
 from skydome.skies.neural.sky import NeuralSpectralSky as NeuralSpectralSky
+from skydome.skies.night.moon_disc import MoonDisc as MoonDisc
+from skydome.skies.night.moonlight import Moonlight as Moonlight
 from skydome.skies.path_tracing.sky import PathTraced as PathTraced
 from skydome.skies.perez import Perez as Perez
 from skydome.skies.perez_all_weather import PerezAllWeather as PerezAllWeather

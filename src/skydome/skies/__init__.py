@@ -1,5 +1,4 @@
 """The skies: one ladder, one file a model.
-
 - sky                The first rung of the ladder, skies whose luminance is known; sums of skies, such as sky and sun
 - colour_sky         The rungs above, skies whose colour is known, and their spectrum
 - blend              Skies between clear and overcast
@@ -22,4 +21,5 @@
 - physical/          Skies from first principles, and what makes them quick
 - path_tracing/      The sky by brute force: paths of light through spherical shells of air
 - suns/              The sun's disc, by its published tables or through a given air
+- night/             The light of the night: moon, stars, airglow, and all of it together
 """

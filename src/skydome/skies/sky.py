@@ -14,7 +14,7 @@ from skydome.ground.limits.ranges import WEIGHT, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
 from skydome.skies.labelled import LabelledLight
-from skydome.skies.validity import is_one
+from skydome.skies.validity import is_one, weighted
 from skydome.sun.day import is_day
 
 
@@ -33,6 +33,7 @@ class Sky(LabelledLight, Shown, ABC):
 
     source: ClassVar[str] = ""
     knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
+    shines_at_night: ClassVar[bool] = False  # whether its light is its own, whatever the sun does
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
 
     @abstractmethod
@@ -208,32 +209,31 @@ class Combination(Sky):
 
     @property
     def has_night(self) -> bool:
-        """Whether some member goes dark with a sun."""
-        return any(sky.has_night for sky in self.members)
+        """Whether some member goes dark with a sun, and does not shine at night."""
+        return any(sky.has_night and not sky.shines_at_night for sky in self.members)
+
+    @property
+    def shines_at_night(self) -> bool:  # type: ignore[override]
+        """Whether every member does."""
+        return all(sky.shines_at_night for sky in self.members)
 
     @property
     def is_day(self) -> Array:
-        """True where every member has its sun up."""
-        days = [sky.is_day for sky in self.members if sky.has_night] or [np.asarray(True)]
-        return reduce(lambda a, b: a & b, days)
-
-    @property
-    def follows_one_sun(self) -> bool:
-        """True where night falls on every member by itself, or no member has a sun."""
-        return len({sky.has_night for sky in self.members}) == 1
+        """True where every member has its sun up; the light of moon and stars asks none."""
+        days = [sky.is_day for sky in self.members if sky.has_night and not sky.shines_at_night]
+        return reduce(lambda a, b: a & b, days or [np.asarray(True)])
 
     def total(self, method: str, axes: int, *arguments: Any) -> Array:
-        """Sum over the members of weight x light, the light having `axes` trailing axes that weights lack."""
+        """Sum over the members of weight x light (`axes`: its axes that weights lack); uniform ones share the night."""
+        mixed = len({sky.has_night for sky in self.members if not sky.shines_at_night}) > 1
+        day = self.is_day[..., None] if axes else self.is_day
         result: Array = None
         for sky, weight in zip(self.members, self.weights, strict=True):
-            light = getattr(sky, method)(*arguments)
-            if not is_one(weight):
-                weight = floating(weight, like=light)
-                light = light * (weight[..., None] if axes and weight.ndim else weight)
+            light = weighted(getattr(sky, method)(*arguments), weight, axes)
+            if mixed and not sky.shines_at_night:
+                light = namespace(light).where(day, light, light * 0)
             result = light if result is None else result + light
-        if self.follows_one_sun:
-            return result
-        return namespace(result).where(self.is_day[..., None] if axes else self.is_day, result, result * 0)
+        return result
 
     def luminance(self, directions: Array) -> Array:
         """Luminance toward each direction, cd m-2, shape (...,)."""

@@ -40,6 +40,14 @@ def is_one(weight: Any) -> bool:
     return isinstance(weight, int | float) and weight == 1
 
 
+def weighted(light: Array, weight: Any, axes: int) -> Array:
+    """Light times a weight that lacks its `axes` trailing axes."""
+    if is_one(weight):
+        return light
+    weight = floating(weight, like=light)
+    return light * (weight[..., None] if axes and weight.ndim else weight)
+
+
 def own(value: Any) -> Any:
     """Arrays and lists copied, those in tuples too; anything else as it is."""
     if isinstance(value, (np.ndarray, list)):

@@ -90,14 +90,17 @@ class BentSun(AtmosphereSun):
         normal = self.normal_xyz if self.standing.ndim > 1 else self.normal_xyz[None]
         return directions, xyz * safe_divide(normal, np.broadcast_to(total, normal.shape))
 
+    def unbent(self, directions: Array) -> tuple[Array, Array]:
+        """Where what is seen toward directions (..., 3) stands without air, and the sine of its apparent elevation."""
+        sine = limited(directions[..., 2], 0.0, 1.0)
+        below = np.arcsin(sine) - self.tables.turned(np.zeros_like(sine), sine)
+        flat = safe_divide(np.cos(below), safe_sqrt(1 - sine * sine))
+        return np.stack([directions[..., 0] * flat, directions[..., 1] * flat, np.sin(below)], axis=-1), sine
+
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
         directions = checked_directions(directions, like=self.sun)
-        sine = limited(directions[..., 2], 0.0, 1.0)
-        turned = self.tables.turned(np.zeros_like(sine), sine)
-        below = np.arcsin(sine) - turned
-        flat = safe_divide(np.cos(below), safe_sqrt(1 - sine * sine))
-        true = np.stack([directions[..., 0] * flat, directions[..., 1] * flat, np.sin(below)], axis=-1)
+        true, sine = self.unbent(directions)
         off = np.linalg.norm(true - self.standing, axis=-1) / (2 * np.sin(self.angular_radius / 2))
         light = self.left(sine, wavelengths) / (limb_mean(wavelengths) * np.pi * np.sin(self.angular_radius) ** 2)
         light = light * self.factor[..., None] * limb_darkening(safe_sqrt(1 - off * off), wavelengths)
