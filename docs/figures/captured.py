@@ -6,8 +6,8 @@ from PIL import Image
 
 import skydome as sd
 from skydome.captures.animation import Animation
+from skydome.captures.capture import Capture
 from skydome.captures.capture_training import train_captures
-from skydome.captures.captures import Capture
 from skydome.light.tone import Filmic, auto_exposure, tone_mapped
 
 PLACE = sd.Place(45.07, 7.69, 240)

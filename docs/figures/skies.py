@@ -14,7 +14,7 @@ from drawing import (
 from PIL import Image
 
 import skydome as sd
-from skydome.maps.preview import preview
+from skydome.maps.showing.preview import preview
 
 ELEVATIONS = (70, 40, 20, 8, 2)
 TURBIDITIES = (2.0, 4.0, 6.0)

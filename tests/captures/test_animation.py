@@ -11,8 +11,9 @@ from typer.testing import CliRunner
 
 import skydome as sd
 from skydome.captures.animation import Animation, change, roughest
-from skydome.captures.capture_training import day_sky, leave_one_out, train_captures
-from skydome.captures.captures import Capture
+from skydome.captures.capture import Capture
+from skydome.captures.capture_training import day_sky, train_captures
+from skydome.captures.capture_validation import leave_one_out
 from skydome.captures.interpolation import FADES
 from skydome.captures.scans import read_scans
 from skydome.cli.main import app

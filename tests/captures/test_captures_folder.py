@@ -6,7 +6,8 @@ from PIL import Image
 
 import skydome as sd
 from skydome import deg
-from skydome.captures.captures import LAYOUTS, Capture, read_captures
+from skydome.captures.capture import Capture
+from skydome.captures.captures import LAYOUTS, read_captures
 from skydome.captures.sky_mask import write_mask
 from skydome.ground import exr
 from skydome.ground.directions import angle_between

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.captures.captures import Capture
+from skydome.captures.capture import Capture, seconds_of
 from skydome.captures.interpolation import day_light
 from skydome.ground.directions import angle_between, azimuth, direction, elevation
 from skydome.maps.environment_map import EnvironmentMap
@@ -67,10 +67,7 @@ class Animation:
     @property
     def times(self) -> np.ndarray:
         """Times of the captures, s after the first; 0, 1, 2 ... where they have none."""
-        stamps = [capture.time for capture in self.captures]
-        if stamps[0] is None:
-            return np.arange(len(stamps), dtype=np.float64)
-        return np.array([(stamp - stamps[0]) / np.timedelta64(1, "s") for stamp in stamps])
+        return seconds_of(self.captures)
 
     def upper(self) -> np.ndarray:
         """Directions (r, W, 3) of the rows above the horizon, float32."""

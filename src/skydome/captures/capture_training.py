@@ -1,12 +1,12 @@
 """A neural sky for one day: the published network trained on captures turned to a common azimuth."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from skydome.captures.captures import Capture
-from skydome.captures.interpolation import Committee, Fade, known_between
+from skydome.captures.capture import Capture, seconds_of
+from skydome.captures.interpolation import Committee
 from skydome.captures.scans import Scan
 from skydome.captures.sun_finding import sun_pixels
 from skydome.ground.directions import angle_between
@@ -34,13 +34,17 @@ SAMPLES = 160
 
 ABOUT_SUN = np.radians(15.0)
 
+DAY_RECIPES = {"published": DAY_RECIPE, "maps": MAP_RECIPE}
+"""By the names that commands know: the paper's own output and loss (eq. 7 and 9), and what suits whole maps."""
+
 UNUSED = ("sqrt_turbidity", "turbidity", "log_turbidity", "albedo")
 
 
-def scan_of(capture: Capture, count: int = SAMPLES, seed: int = 0) -> Scan:
-    """Directions of the capture's sky drawn evenly in solid angle, a quarter more about the sun, with their light.
+def scan_of(capture: Capture, count: int = SAMPLES, seed: int = 0, time: float = 0.0, about_sun: float = 0.25) -> Scan:
+    """Directions of the capture's sky drawn evenly in solid angle, and more, `about_sun` of them, about the sun.
 
-    The sun's own texels count with the level of the ring about them, so that the network stays calm there.
+    The sun's own texels count with the level of the ring about them, so that the network stays calm there. `time` is
+    the scan's, s.
     """
     rng = np.random.default_rng(seed)
     picture = capture.calm
@@ -52,10 +56,10 @@ def scan_of(capture: Capture, count: int = SAMPLES, seed: int = 0) -> Scan:
     about = lit & (angle < ABOUT_SUN) & (sky | sun_pixels(capture.picture, capture.sun).reshape(-1))
     if not sky.any():
         raise ValueError(f"{capture.name}: no texel of the map is sky; check the mask and the horizon")
-    chosen = np.concatenate([drawn(sky, sizes, count, rng), drawn(about, sizes, count // 4, rng)])
+    chosen = np.concatenate([drawn(sky, sizes, count, rng), drawn(about, sizes, int(count * about_sun), rng)])
     directions = toward.reshape(-1, 3)[chosen]
     light = picture.pixels.reshape(-1, 3)[chosen].astype(np.float64) * picture.white_luminance
-    return Scan(directions, np.broadcast_to(capture.sun, directions.shape), light, 0.0)
+    return Scan(directions, np.broadcast_to(capture.sun, directions.shape), light, time)
 
 
 def drawn(allowed: np.ndarray, sizes: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
@@ -118,47 +122,22 @@ def train_captures(
     captures: Sequence[Capture], recipe: TrainingRecipe = MAP_RECIPE, seed: int = 0, progress: Progress | None = None
 ) -> Network:
     """The network of a day from captured maps."""
-    return train_day([scan_of(capture, seed=seed + k) for k, capture in enumerate(captures)], recipe, seed, progress)
+    return train_day(scans_of(captures, seed=seed), recipe, seed, progress)
+
+
+def scans_of(captures: Sequence[Capture], count: int = SAMPLES, seed: int = 0, about_sun: float = 0.25) -> list[Scan]:
+    """A scan of each capture (`scan_of`), at its time, s after the first."""
+    times = seconds_of(captures)
+    return [scan_of(capture, count, seed + k, times[k], about_sun) for k, capture in enumerate(captures)]
+
+
+def day_recipe(name: str) -> TrainingRecipe:
+    """The recipe for a day by name; ValueError with the names there are."""
+    if name not in DAY_RECIPES:
+        raise ValueError(f"recipe for captures must be one of {', '.join(DAY_RECIPES)}, got {name!r}")
+    return DAY_RECIPES[name]
 
 
 def day_sky(network: Network, sun: np.ndarray) -> NeuralSky:
     """The day's sky for any sun of it."""
     return NeuralSky(sun, network)
-
-
-@dataclass(frozen=True)
-class CaptureErrors:
-    """Errors at one held-out scan: RMSE of y = 1 / (1 + 2 L) with mean L 1, and RMSE of radiance over its mean."""
-
-    target: float
-    relative: float
-
-
-def errors_of(got: np.ndarray, wanted: np.ndarray, scale: float) -> CaptureErrors:
-    """Errors of light (D, 3)."""
-    y = 1 / (1 + 2 * got / scale) - 1 / (1 + 2 * wanted / scale)
-    relative = np.sqrt(np.mean((got - wanted) ** 2)) / wanted.mean()
-    return CaptureErrors(float(np.sqrt(np.mean(y**2))), float(relative))
-
-
-def leave_one_out(
-    scans: Sequence[Scan], fades: Sequence[Fade], recipe: TrainingRecipe = DAY_RECIPE, seed: int = 0
-) -> dict[str, list[CaptureErrors]]:
-    """Errors at each scan of the network trained without it ("network") and of each way between its neighbours.
-
-    Ways that use a network have the mean of a committee, trained likewise. The first and last scans have a
-    neighbour on one side alone: that is extrapolation.
-    """
-    scale = float(np.concatenate([scan.light for scan in scans]).mean())
-    results: dict[str, list[CaptureErrors]] = {name: [] for name in ["network", *(fade.name for fade in fades)]}
-    for k, held in enumerate(scans):
-        others = [scan for i, scan in enumerate(scans) if i != k]
-        network, committee = train_day(others, recipe, seed), train_committee(others, seed=seed)
-        suns = np.broadcast_to(held.suns, held.directions.shape)
-        alone = network.light(network_inputs(network.features, held.directions, suns))
-        results["network"].append(errors_of(alone, held.light, scale))
-        for fade in fades:
-            known = known_between(others, held.time)
-            light = fade.with_network(committee).light(known, held.directions, suns)
-            results[fade.name].append(errors_of(light, held.light, scale))
-    return results

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from skydome.captures.animation import Animation, change, roughest
-from skydome.captures.capture_training import train_captures
-from skydome.captures.captures import MASK, Capture, read_captures
+from skydome.captures.capture import Capture
+from skydome.captures.capture_training import day_recipe, train_captures
+from skydome.captures.captures import MASK, read_captures
 from skydome.captures.sky_mask import write_mask
 from skydome.ground.writing import appearing, is_hidden_part, require_place
 from skydome.maps.files import half_white
@@ -37,10 +38,13 @@ class Job:
     horizon: float
     seed: int
     half: bool
+    recipe: str = "maps"
 
     def digest(self) -> str:
         """A fingerprint of the settings and of the captures' files."""
-        parts = [repr((self.frames, self.layout, self.place, self.zone, self.horizon, self.seed, self.half))]
+        parts = [
+            repr((self.frames, self.layout, self.place, self.zone, self.horizon, self.seed, self.half, self.recipe))
+        ]
         for path in sorted(self.folder.iterdir()):
             if path.is_file() and not path.name.startswith("."):
                 parts.append(f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}")
@@ -110,8 +114,12 @@ def trained(job: Job, captures: list[Capture], tell: Tell) -> Network:
     path = job.output / "day.safetensors"
     if path.exists():
         return load_network(path)[0]
-    network = train_captures(captures, seed=job.seed, progress=lambda stage, error: tell(f"training, {stage}", 0.0))
-    save_network(path, network, {"captures": [capture.name for capture in captures], "seed": job.seed})
+    network = train_captures(
+        captures, day_recipe(job.recipe), job.seed, progress=lambda stage, error: tell(f"training, {stage}", 0.0)
+    )
+    save_network(
+        path, network, {"captures": [capture.name for capture in captures], "seed": job.seed, "recipe": job.recipe}
+    )
     return network
 
 

@@ -8,12 +8,12 @@
 - equal_area_square  The equal-area octahedral square of pbrt-v4: every texel has the same solid angle
 - cube               Cube maps: six square faces in a vertical strip, in OpenGL's order and orientation
 - fisheye            Circular maps looking up: fisheye lenses, the angular map and the mirror ball
+- level_probe        Light probes: circular maps of the whole sphere whose middle looks level to the north
 - targets            Where each renderer puts north: one small table of layouts and frames
 - files              Maps to files: which layout, which scale, and what the header says about the light
 - loading            Maps from files: pixels, unit, primaries, place, time and provenance back out of the header
 - lookup             Values of a map toward any direction: the texel that is hit, or the four around it
 - resample           A map in another layout or size, its light conserved: areas are averaged
 - integrals          Light that a map sends onto surfaces: sums over its texels' solid angles
-- preview            A map as a photographer would see it: exposed, tone-mapped, encoded for the screen
-- showing/           How skies and maps show themselves to people: tables and pictures in notebooks, plots
+- showing/           How skies and maps show themselves to people: previews, tables, pictures in notebooks, plots
 """

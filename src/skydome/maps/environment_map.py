@@ -17,8 +17,8 @@ from skydome.maps.files import save
 from skydome.maps.integrals import cosine_integral, light_vector
 from skydome.maps.lookup import bilinear
 from skydome.maps.pixels import MapPixels
-from skydome.maps.preview import preview
 from skydome.maps.showing.page import draw_map, table_of
+from skydome.maps.showing.preview import preview
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

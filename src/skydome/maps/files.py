@@ -17,8 +17,8 @@ from skydome.light.gamut import within_gamut
 from skydome.light.tone import Curve
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
-from skydome.maps.preview import preview
 from skydome.maps.projection import Projection
+from skydome.maps.showing.preview import preview
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
 

@@ -4,6 +4,7 @@ from skydome.maps.cube import CubeMap
 from skydome.maps.equal_area_square import EqualAreaSquare
 from skydome.maps.equirectangular import Equirectangular, EquirectangularOfWidth
 from skydome.maps.fisheye import Equidistant, Equisolid, Fisheye, Lens
+from skydome.maps.level_probe import LevelProbe
 from skydome.maps.projection import Projection
 
 __all__ = [
@@ -15,5 +16,6 @@ __all__ = [
     "Equisolid",
     "Fisheye",
     "Lens",
+    "LevelProbe",
     "Projection",
 ]

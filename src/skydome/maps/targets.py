@@ -7,7 +7,16 @@ import numpy as np
 
 from skydome.ground.arguments import require_word
 from skydome.light.colour import RADIANCE, REC2020, SRGB, RGBSpace
-from skydome.maps.projections import CubeMap, EqualAreaSquare, Equirectangular, Fisheye, Projection
+from skydome.maps.projections import (
+    CubeMap,
+    EqualAreaSquare,
+    Equidistant,
+    Equirectangular,
+    Equisolid,
+    Fisheye,
+    LevelProbe,
+    Projection,
+)
 
 Matrix = tuple[tuple[float, float, float], ...]
 Z_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))  # x east, y north, z up: ours
@@ -53,6 +62,9 @@ NORTH_LEFT = Equirectangular()
 SOUTH_LEFT = Equirectangular(azimuth_left=math.pi)
 WEST_LEFT = Equirectangular(azimuth_left=1.5 * math.pi)
 
+ANGULAR = LevelProbe(Fisheye(2 * math.pi, Equidistant()))
+MIRROR_BALL = LevelProbe(Fisheye(2 * math.pi, Equisolid()))
+PROBE = "looking level: north in the middle, up at the top, east at the right, south at the rim"
 SKY_DISC = "the sky looking up, equidistant: north at the top, east at the left"
 
 TARGETS: tuple[Target, ...] = (
@@ -73,6 +85,8 @@ TARGETS: tuple[Target, ...] = (
     ),
     Target("radiance", NORTH_LEFT, Z_UP, "z up; the .rad of `--scene` lays it out", "this library", (RADIANCE,)),
     Target("cube", CubeMap(), Y_UP, "y up; strip of faces +X -X +Y -Y +Z -Z", "OpenGL 4.6, table 8.19"),
+    Target("angular", ANGULAR, Y_UP, f"y up; {PROBE}", "Debevec 1998, light probes"),
+    Target("mirror-ball", MIRROR_BALL, Y_UP, f"y up; {PROBE}", "Debevec 1998, light probes"),
     Target("fisheye", Fisheye(), Z_UP, SKY_DISC, "as sky plots are drawn"),
 )
 

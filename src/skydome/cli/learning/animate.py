@@ -12,9 +12,8 @@ from skydome.cli.printing import show_facts
 
 MOST_FRAMES = 100_000
 
-Layout = Annotated[
-    str, Option(help="How the maps lie in their files: latlong, angular, mirror-ball, fisheye or fisheye-equisolid.")
-]
+LAYOUTS = "latlong, angular, mirror-ball, cube, fisheye or fisheye-equisolid"
+Layout = Annotated[str, Option(help=f"How the maps lie in their files: {LAYOUTS}.")]
 
 
 def animate(
@@ -31,6 +30,9 @@ def animate(
         bool, Option("--masks", help="Write each capture's sky mask beside it as PNG to edit, and stop.")
     ] = False,
     seed: Annotated[int, Option(help="Seed of the training.")] = 0,
+    recipe: Annotated[
+        str, Option(metavar="NAME", help="The day's network: maps, or published with the paper's output and loss.")
+    ] = "maps",
     half: Half = True,
     as_json: AsJson = False,
 ) -> None:
@@ -38,6 +40,7 @@ def animate(
     from math import radians
 
     import skydome as sd
+    from skydome.captures.capture_training import day_recipe
     from skydome.captures.captures import layout_named
     from skydome.captures.frames import Job, run, write_masks
     from skydome.ground.limits.sizes import require_count
@@ -46,8 +49,9 @@ def animate(
     if frames < 2:
         raise ValueError(f"frames must be at least 2, got {frames}")
     layout_named(layout)
+    day_recipe(recipe)
     where = None if place is None else sd.Place.parse(place)
-    job = Job(folder, output, frames, layout, where, zone, radians(horizon), seed, half)
+    job = Job(folder, output, frames, layout, where, zone, radians(horizon), seed, half, recipe)
     with progress("reading captures") as report:
         facts = (write_masks if masks else run)(job, lambda stage, share: report(share, 1.0, stage))
     show_facts(facts, as_json)

@@ -8,13 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 from typer import Option
 
 from skydome.cli.doors import progress, require_output
+from skydome.cli.learning.animate import LAYOUTS
 from skydome.cli.learning.physical_networks import BATCHES, PHYSICAL, train_physical_networks
+from skydome.cli.learning.train_day import MapsOfDay, ScansOfDay, train_day_network
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
 if TYPE_CHECKING:
     from skydome.training.lessons import Teacher
     from skydome.training.method import TrainingRecipe
+
+DAY = "A day instead of a model"
 
 
 def train(
@@ -28,7 +32,7 @@ def train(
         Option(
             metavar="NAME",
             help="published (492 bytes), compact (486), deep (1740), spectral (11 bands), published-data (492, the"
-            " paper's samples), backpropagation (492, the paper's training).",
+            " paper's samples), backpropagation (492, the paper's training); of captures published or maps.",
         ),
     ] = "published",
     seed: Annotated[int, Option(min=0, help="Another seed gives other data and other starts.")] = 0,
@@ -38,13 +42,43 @@ def train(
     ] = None,
     batches: Annotated[int, Option(min=1, help="Of 16 random airs each, for the physical sky.")] = BATCHES,
     small: Annotated[bool, Option("--small", help="The physical sky's networks in less than 30 kB.")] = False,
+    captures: Annotated[
+        Path | None,
+        Option(metavar="FOLDER", help="Learn a day of captured maps instead (see animate).", rich_help_panel=DAY),
+    ] = None,
+    measured: Annotated[
+        Path | None,
+        Option(metavar="FILE", help="Learn a sky scanner's samples: .nc, or .csv of luminance.", rich_help_panel=DAY),
+    ] = None,
+    layout: Annotated[str, Option(help=f"Of captures: {LAYOUTS}.", rich_help_panel=DAY)] = "latlong",
+    place: Annotated[
+        str | None, Option(metavar="LAT,LON[,ALT]", help="Of captures: compute the sun.", rich_help_panel=DAY)
+    ] = None,
+    zone: Annotated[
+        str | None, Option(metavar="NAME", help="Of captures: IANA zone of times in names.", rich_help_panel=DAY)
+    ] = None,
+    validate: Annotated[
+        bool, Option("--validate", help="Cross validation: errors at captures left out in turn.", rich_help_panel=DAY)
+    ] = False,
+    folds: Annotated[
+        int | None, Option(help="Of the validation. [default: one a capture]", rich_help_panel=DAY)
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Train a small network on a sky model; `NeuralSky.load` reads it.
+    """Train a small network on a sky model, or on a day of captures; `NeuralSky.load` reads it.
 
     Interrupted, it leaves FILE.training.npz, from which --resume goes on to the same result. With --model physical:
-    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run.
+    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run. Networks of
+    models are measured on skies that they have not seen; those of captures are with --validate.
     """
+    if captures is not None or measured is not None:
+        require_output(output, "the network's file", (".safetensors",))
+        require_day(captures, measured, resume, recipe, folds, validate)
+        day = ScansOfDay(measured) if measured is not None else MapsOfDay(captures or Path(), layout, place, zone)
+        show_facts(train_day_network(output, day, recipe, seed, folds, validate), as_json)
+        return
+    if validate or folds is not None:
+        raise ValueError("--validate leaves out whole captures: it goes with --captures or --measured")
     if model == PHYSICAL:
         require_output(output, "the network's file", (".safetensors",))
         folder = output.with_suffix(".lessons") if lessons is None else lessons
@@ -57,6 +91,21 @@ def train(
     require_output(output, "the network's file", (".safetensors",))
     facts = trained(output, teacher, way, {"model": teacher.name, "recipe": recipe, "seed": seed}, resume)
     show_facts(facts, as_json)
+
+
+def require_day(
+    captures: Path | None, measured: Path | None, resume: bool, recipe: str, folds: int | None, validate: bool
+) -> None:
+    """ValueError, before any work, for choices that do not go with a day."""
+    from skydome.captures.capture_training import day_recipe
+
+    if captures is not None and measured is not None:
+        raise ValueError("a network learns --captures or --measured: give one of them")
+    if resume:
+        raise ValueError("--resume goes on with a model's training; a day is learned in seconds")
+    if folds is not None and not validate:
+        raise ValueError("--folds belongs to --validate")
+    day_recipe(recipe)
 
 
 def trained(

@@ -11,9 +11,9 @@ from skydome.ground.directions import ZENITH, azimuth, elevation
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 from skydome.maps.pixels import MapPixels
-from skydome.maps.preview import preview
 from skydome.maps.projections import Fisheye
 from skydome.maps.showing.page import own_axes, table_of
+from skydome.maps.showing.preview import preview
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
