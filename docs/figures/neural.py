@@ -15,9 +15,10 @@ from PIL import Image
 
 import skydome as sd
 from skydome.ground import compiled
+from skydome.skies.formula.perez_formula import evaluate, view_geometry
 from skydome.skies.neural import fast as fast_network
 from skydome.skies.neural.files import shipped_network
-from skydome.skies.neural.network import PUBLISHED, RationalOutput
+from skydome.skies.neural.network import PUBLISHED, RationalOutput, conditions, features
 from skydome.skies.neural.sky import NeuralSpectralSky
 from skydome.training.halving import Halving
 from skydome.training.lessons import TEACHERS, held_out
@@ -139,15 +140,21 @@ def times():
     kernel = fast_network.compiled_kernel(folded)
     network = one_thread(fast_network.light_by_numpy, folded, single)
     fast = one_thread(fast_network.light_by_kernel, folded, single, kernel)
+    own = one_thread(network_of_views, sky, views)
     rows = [
+        ["views", "network, NumPy float64", f"{own:.1f}", ""],
         ["views", "network, NumPy float32", f"{network:.1f}", ""],
-        ["views", "network, compiled", f"{fast:.1f}", ""],
+        ["views", "network, compiled float32", f"{fast:.1f}", ""],
     ]
     skies = (sd.Preetham(sun, 3.3), sd.HosekWilkieRGB(sun, 3.3, 0.5))
     for other in skies:
-        for kind, data in (("NumPy", views), ("compiled", single)):
-            spent = one_thread(other.rgb, data)
-            rows.append(["views", f"{type(other).__name__}, {kind}", f"{spent:.1f}", f"{spent / fast:.2f}"])
+        for kind, run, like in (
+            ("NumPy float64", lambda o=other: o.rgb(views), own),
+            ("NumPy float32", lambda o=other: formula_single(o, single), network),
+            ("compiled float32", lambda o=other: o.rgb(single), fast),
+        ):
+            spent = one_thread(run)
+            rows.append(["views", f"{type(other).__name__}, {kind}", f"{spent:.1f}", f"{spent / like:.2f}"])
     for height in (512, 1024):
         size = f"map {2 * height} x {height}"
         own = one_thread(lambda height=height: sd.render(sky, height))
@@ -156,7 +163,23 @@ def times():
             for kind, dtype in (("NumPy (float64)", np.float64), ("float32", np.float32)):
                 spent = one_thread(lambda o=other, d=dtype, h=height: sd.render(o, h, dtype=d))
                 rows.append([size, f"{type(other).__name__}, `render`, {kind}", f"{spent:.1f}", f"{spent / own:.2f}"])
-    return table(["what", "by", "ms of one processor", "over the network, compiled"], rows)
+    return table(["what", "by", "ms of one processor", "over the network, likewise"], rows)
+
+
+def network_of_views(sky, views):
+    """The network itself (eq. 5-7, 10), nothing folded, in the views' own precision."""
+    own = conditions(views, np.asarray(sky.sun, views.dtype), np.asarray(sky.turbidity, views.dtype), np.zeros(1))
+    return sky.network.light(features(sky.network.features, own))
+
+
+def formula_single(sky, views):
+    """The nine numbers by NumPy, all of it in float32."""
+    light, single = sky.rgb_formula(), np.float32
+    up, angle = view_geometry(views, light.suns[0].astype(single))
+    channels = evaluate(light.coefficients[0].astype(single), up, angle, single(light.offset), single(light.floor))
+    found = light.quantity.of(channels)
+    assert found.dtype == single
+    return found
 
 
 def figure_5():

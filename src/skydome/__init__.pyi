@@ -105,11 +105,16 @@ from skydome.skies.colour_sky import SpectralSky as SpectralSky
 from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance
 from skydome.skies.daylight_sky import ColourOf as ColourOf
 from skydome.skies.daylight_sky import Daylight as Daylight
+from skydome.skies.daylight_sky import FlatSpectrum as FlatSpectrum
 from skydome.skies.formula.igawa import Igawa as Igawa
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper as BrungerHooper
+from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes as HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata as MatsuuraIwata
+from skydome.skies.formula.older.pokrowski import Pokrowski as Pokrowski
+from skydome.skies.formula.older.takagi import TakagiDaylight as TakagiDaylight
+from skydome.skies.formula.older.takagi import takagi_colour_temperature as takagi_colour_temperature
 from skydome.skies.hosek_wilkie import HosekWilkie as HosekWilkie
 from skydome.skies.hosek_wilkie import HosekWilkieRGB as HosekWilkieRGB
 from skydome.skies.neural.sky import NeuralSky as NeuralSky

@@ -91,7 +91,8 @@ NAMES = [
     "neural-hosek-wilkie-compact", "neural-hosek-wilkie-deep", "neural-hosek-wilkie-spectral", "perez-all-weather",
     "perez",
     *(f"cie-{kind}" for kind in range(1, 16)),
-    "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "moon-spencer", "uniform",
+    "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "harrison-coombes", "pokrowski",
+    "moon-spencer", "uniform",
     "discrete-ordinates", "nishita-1993", "nishita-1996", "path-traced",
 ]  # fmt: skip
 

@@ -8,8 +8,8 @@ from PIL import Image
 
 from skydome.light.tone import BLEACH, Filmic, Reinhard, auto_exposure, tone_mapped
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.showing.preview import preview
 from skydome.maps.projections import Equirectangular
+from skydome.maps.showing.preview import preview
 
 CURVES = [Filmic(), Reinhard(), Reinhard(white=2.0)]
 

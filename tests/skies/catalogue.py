@@ -30,6 +30,8 @@ SKIES = {
     "cie-intermediate": lambda sun, one: sd.CIEIntermediate(sun, one * 3000.0),
     "matsuura-iwata": lambda sun, one: sd.MatsuuraIwata(sun, illuminance=one * 15_000.0),
     "brunger-hooper": lambda sun, one: sd.BrungerHooper(sun, illuminance=one * 12_000.0),
+    "harrison-coombes": lambda sun, one: sd.HarrisonCoombes(sun, cloud=0.3, illuminance=one * 12_000.0),
+    "pokrowski": lambda sun, one: sd.Pokrowski(sun, illuminance=one * 12_000.0),
     "perez": lambda sun, one: sd.Perez(
         sun, one * -1.0, one * -0.32, one * 10.0, one * -3.0, one * 0.45, illuminance=one * 12_000.0
     ),

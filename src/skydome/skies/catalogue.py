@@ -10,7 +10,9 @@ from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper
+from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
+from skydome.skies.formula.older.pokrowski import Pokrowski
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
 from skydome.skies.model import AirModel, Model, NeuralModel, PhysicalModel, PreethamModel, TracedModel
 from skydome.skies.neural.files import load_network
@@ -87,6 +89,8 @@ CATALOGUE: tuple[Model, ...] = (
     Model("cie-intermediate", CIEIntermediate, level=MIDDLE),
     Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE),
     Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE),
+    Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE),
+    Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR),
     Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
     Model("uniform", Uniform, level=OVERCAST, shines=False),
     AirModel(

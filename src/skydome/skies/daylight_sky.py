@@ -1,4 +1,4 @@
-"""Colour for skies that know luminance only, given on purpose: one chromaticity, by luminance, or another sky's."""
+"""Colour for skies that know luminance only, given on purpose: one chromaticity, flat, by luminance, another sky's."""
 
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -10,6 +10,7 @@ from skydome.ground.arrays import Array, at_least, constant, namespace, safe_div
 from skydome.ground.limits.ranges import SHARE
 from skydome.light.colour import D65, SRGB, Chromaticity, RGBSpace, rgb_from_xyz, xyz_from_xyY
 from skydome.light.daylight import LOCUS, daylight_chromaticity, daylight_spectrum
+from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.formula.fast import Light
 from skydome.skies.sky import Sky, SunlitSky
@@ -102,6 +103,25 @@ class Daylight(DressedSky, SpectralSky):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W)."""
         return daylight_spectrum(self.xyz(directions), wavelengths)
+
+
+@dataclass(frozen=True, eq=False)
+class FlatSpectrum(DressedSky, SpectralSky):
+    """`sky` with the same radiance at every wavelength, as Preetham et al. draw their overcast sky.
+
+    >>> import skydome as sd
+    >>> grey = sd.FlatSpectrum(sd.MoonSpencer(zenith_luminance=683.0))
+    >>> grey.radiance(sd.ZENITH, [450.0, 550.0, 650.0]).round(6).tolist()
+    [0.009358, 0.009358, 0.009358]
+    """
+
+    sky: Sky
+    source: ClassVar[str] = "its sky's luminance; a flat spectrum (Preetham 1999, section 5)"
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W)."""
+        level = self.luminance(directions) / float(xyz_weights(self.bands)[:, 1].sum())
+        return level[..., None] * constant(np.ones(np.shape(checked_wavelengths(wavelengths))), level)
 
 
 @dataclass(frozen=True, eq=False)
