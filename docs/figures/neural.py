@@ -160,9 +160,8 @@ def times():
         own = one_thread(lambda height=height: sd.render(sky, height))
         rows.append([size, "network, `render`", f"{own:.1f}", ""])
         for other in skies:
-            for kind, dtype in (("NumPy (float64)", np.float64), ("float32", np.float32)):
-                spent = one_thread(lambda o=other, d=dtype, h=height: sd.render(o, h, dtype=d))
-                rows.append([size, f"{type(other).__name__}, `render`, {kind}", f"{spent:.1f}", f"{spent / own:.2f}"])
+            spent = one_thread(lambda o=other, h=height: sd.render(o, h))
+            rows.append([size, f"{type(other).__name__}, `render`", f"{spent:.1f}", f"{spent / own:.2f}"])
     return table(["what", "by", "ms of one processor", "over the network, likewise"], rows)
 
 
