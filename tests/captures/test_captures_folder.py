@@ -96,7 +96,7 @@ def test_refusals(tmp_path):
     refused(tmp_path, "layout asked for, .* but b.exr states Fisheye")
     exr.write(tmp_path / "b.exr", {"RGB": picture_at(TIMES[1], 64, LAYOUTS["fisheye"]).pixels})
     refused(tmp_path, "b.exr is 64 x 64, which is no map of the layout Equirectangular")
-    refused(tmp_path, "layout must be one of latlong", layout="cube")
+    refused(tmp_path, "layout must be one of latlong", layout="pyramid")
     (tmp_path / "b.exr").write_bytes(b"no map")
     refused(tmp_path, "expected an OpenEXR file")
     (tmp_path / "b.exr").unlink()

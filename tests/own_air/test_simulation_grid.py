@@ -136,4 +136,15 @@ def test_the_usual_grid_is_hosek_and_wilkies():
     assert grid.turbidities == tuple(range(1, 11))
     assert grid.albedos == (0, 1)
     assert len(grid.wavelengths) == 11
+    assert len(grid.elevations) == 46
+    assert grid.elevations[0] == 0
     assert grid.elevations[-1] == 90
+
+
+def test_the_sun_on_the_horizon_is_the_46th():
+    grid = Grid(
+        turbidities=(3.0,), albedos=(0.2,), elevations=(0.0, 0.001), wavelengths=(440.0, 560.0), azimuths=(0.0, 180.0)
+    )
+    light = simulated(grid, (0, 0))
+    assert (light > 0).all()
+    np.testing.assert_allclose(light[0], light[1], rtol=1e-3)

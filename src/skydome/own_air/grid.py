@@ -29,6 +29,8 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.years.stores.cluster import cluster_client
 
 AXES = ("turbidities", "albedos", "elevations", "zenith_angles", "azimuths", "wavelengths")
+LEAST_ELEVATION = 1e-6
+"""Degrees at which a sun on the horizon is taken: light is smooth down to there, and at 0 the solver has night."""
 FORM = 2
 """Number of the store's layout and of the simulation's meaning; a change makes old stores another grid."""
 
@@ -38,12 +40,12 @@ class Grid(Bounded):
     """Turbidities, ground albedos, sun elevations (degrees), wavelengths (nm), and views: zenith angles x azimuths.
 
     The usual one is Hosek and Wilkie's whole grid: turbidity 1-10, albedo 0 and 1, elevations (n / 45)^3 90 degrees for
-    n = 1 ... 45, 11 bands. Suns below 5 degrees are less certain (docs/models/physical.md says by how much).
+    n = 0 ... 45, 11 bands. Suns below 5 degrees are less certain (docs/models/physical.md says by how much).
     """
 
     turbidities: tuple[float, ...] = tuple(float(t) for t in range(1, 11))
     albedos: tuple[float, ...] = (0.0, 1.0)
-    elevations: tuple[float, ...] = tuple(round((n / 45) ** 3 * 90, 9) for n in range(1, 46))
+    elevations: tuple[float, ...] = tuple(round((n / 45) ** 3 * 90, 9) for n in range(46))
     wavelengths: tuple[float, ...] = tuple(float(w) for w in range(320, 721, 40))
     zenith_angles: tuple[float, ...] = tuple(float(z) for z in range(2, 89, 4))
     azimuths: tuple[float, ...] = tuple(float(a) for a in range(0, 181, 12))
@@ -106,7 +108,7 @@ def simulated(grid: Grid, piece: tuple[int, int]) -> Array:
     air = Atmosphere.from_turbidity(turbidity, aerosol, albedo=albedo, ozone=grid.ozone)
     zenith, azimuth = np.meshgrid(np.radians(grid.zenith_angles), np.radians(grid.azimuths), indexing="ij")
     views = direction(azimuth, np.pi / 2 - zenith)
-    suns = direction(np.zeros(len(grid.elevations)), np.radians(grid.elevations))
+    suns = direction(np.zeros(len(grid.elevations)), np.radians(np.maximum(grid.elevations, LEAST_ELEVATION)))
     light = [DiscreteOrdinates(sun, air, grid.streams).radiance(views, grid.wavelengths) for sun in suns]
     return (np.stack(light) / air.sun_at(grid.wavelengths)).astype(np.float32)
 
