@@ -72,10 +72,14 @@ def test_the_default_is_the_physical_sky_whose_air_bends_light_itself(facts, whe
     sun = sd.sun_direction(TURIN, INSTANT)
     assert told["model"] == "physical"
     assert told["sun"] == facts("light", *when, "--refraction")["sun"]
-    air = sd.Atmosphere.from_turbidity(2.5, albedo=0.3)
+    air = sd.Atmosphere.from_turbidity(2.5, albedo=0.3).at_altitude(TURIN.altitude)
     distance = float(sd.earth_sun_distance(INSTANT))
     wanted = sd.PhysicalSky(sun, air).luminance(sd.ZENITH) / distance**2
     assert told["zenith_luminance_cd_m2"] == pytest.approx(float(wanted), rel=1e-4)
+    high = facts("light", *when, "--turbidity", 2.5, "--albedo", 0.3, "--altitude", 3000)
+    wanted = sd.PhysicalSky(sun, sd.Atmosphere.from_turbidity(2.5, albedo=0.3).at_altitude(3000.0)).luminance(sd.ZENITH)
+    assert high["zenith_luminance_cd_m2"] == pytest.approx(float(wanted) / distance**2, rel=1e-4)
+    assert any("3000 m high, 701 hPa" in note for note in high["notes"])
     evening = facts("light", "--sun", "280,-4")["illuminance_lx"]
     assert evening["direct"] == 0
     assert 10 < evening["diffuse"] < 100

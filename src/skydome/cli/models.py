@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
-    "turbidity", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers", "tables",
-    "until", "paths",
+    "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
+    "tables", "until", "paths",
 )  # fmt: skip
 
 
@@ -63,6 +63,8 @@ def build(model: "Model", moment: "Moment | None", options: SkyOptions) -> "tupl
     """The sky, and what to say of choices that were made for the user. `moment` may be None for a sky without a sun."""
     refuse_what_it_does_not_take(model, options)
     given = given_parameters(model, options)
+    if moment is not None and moment.place is not None:
+        given = model.at_altitude(moment.place.altitude) | given
     notes = model.remarks(given)
     if options.albedo is not None and "albedo" not in model.takes:
         notes.append(f"--albedo {options.albedo:g}: for the ground alone; the light of {model.name} knows no albedo")

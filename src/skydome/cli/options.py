@@ -63,6 +63,10 @@ class SkyOptions(SunOptions):
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
     ] = None
     albedo: Annotated[float | None, Option(help="Ground reflectance, 0-1. [default: 0.2]", rich_help_panel=AIR)] = None
+    altitude: Annotated[
+        float | None,
+        Option(help="Ground above the sea, m: thinner air. [default: --place's, else 0]", rich_help_panel=AIR),
+    ] = None
     blend_overcast: Annotated[
         float | None,
         Option(metavar="F", help="Mix in this fraction, 0-1, of Moon and Spencer's overcast.", rich_help_panel=AIR),

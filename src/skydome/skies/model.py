@@ -8,7 +8,7 @@ import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.named_airs import depth_of_turbidity
-from skydome.ground.limits.ranges import Range
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.colour_sky import SpectralSky
@@ -21,6 +21,7 @@ from skydome.skies.physical.held_tracing import Report, held_tracing
 from skydome.skies.preetham import PreethamNumbers
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import Check
+from skydome.sun.place import Place
 
 USUAL = {"turbidity": 3.0, "albedo": USUAL_ALBEDO}
 """What is taken where nobody says: clear air over dry land."""
@@ -105,6 +106,10 @@ class Model:
         known = "extraterrestrial_irradiance" in self.takes
         return {"extraterrestrial_irradiance": SOLAR_CONSTANT / distance**2} if known else {}
 
+    def at_altitude(self, altitude: float) -> dict[str, float]:
+        """The parameters that say that the ground is so many metres above the sea; none for air of no height."""
+        return {}
+
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """What was chosen for the user who gave these parameters, a line each."""
         return []
@@ -149,7 +154,7 @@ class PreethamModel(Model):
 class AirModel(Model):
     """A sky of air of a turbidity over a ground, its colours held in a table."""
 
-    takes: tuple[str, ...] = ("turbidity", "albedo")
+    takes: tuple[str, ...] = ("turbidity", "albedo", "altitude")
 
     @property
     def has_table_shader(self) -> bool:
@@ -159,12 +164,17 @@ class AirModel(Model):
     def air(self, given: Mapping[str, Any]) -> Any:
         """Air of the usual aerosol."""
         asked = USUAL | dict(given)
+        require("altitude", asked.get("altitude", 0.0), Place.bounds["altitude"])
         air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
-        return replace(air, sun_scale=asked.get("sun_scale", 1.0))
+        return replace(air.at_altitude(asked.get("altitude", 0.0)), sun_scale=asked.get("sun_scale", 1.0))
 
     def at_distance(self, distance: float) -> dict[str, float]:
         """The sun's strength."""
         return {"sun_scale": distance**-2}
+
+    def at_altitude(self, altitude: float) -> dict[str, float]:
+        """The height of the ground."""
+        return {"altitude": altitude}
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
@@ -175,13 +185,14 @@ class AirModel(Model):
 
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """The air."""
-        turbidity, albedo = ((USUAL | dict(given))[name] for name in ("turbidity", "albedo"))
-        _, aerosol, ozone, *high = self.air(given).constituents
+        asked = USUAL | dict(given)
+        turbidity, albedo = asked["turbidity"], asked["albedo"]
+        molecules, aerosol, ozone, *high = self.air(given).constituents
         whole = aerosol.optical_depth + sum(part.optical_depth for part in high)
         depth, lobe = f"{whole:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
         return [
             f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU",
-            f"ground: albedo {albedo:g}",
+            f"ground: albedo {albedo:g}, {asked.get('altitude', 0):g} m high, {molecules.pressure / 100:.0f} hPa",
         ]
 
 
@@ -199,7 +210,8 @@ class PhysicalModel(AirModel):
         if np.ndim(given.get("turbidity", 0.0)) == 0:
             return super().air(given)
         depth = depth_of_turbidity(np.asarray(given["turbidity"], np.float64))
-        return Atmosphere.standard(depth, albedo=given.get("albedo", USUAL["albedo"]))
+        air = Atmosphere.standard(depth, albedo=given.get("albedo", USUAL["albedo"]))
+        return air.at_altitude(given.get("altitude", 0.0))
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
@@ -215,7 +227,7 @@ class PhysicalModel(AirModel):
 class TracedModel(AirModel):
     """The path tracer: `until` a median relative error, or so many `paths` a direction."""
 
-    takes: tuple[str, ...] = ("turbidity", "albedo", "until", "paths")
+    takes: tuple[str, ...] = ("turbidity", "albedo", "altitude", "until", "paths")
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None

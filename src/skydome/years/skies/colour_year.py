@@ -31,11 +31,16 @@ def lender(kind: str) -> Model:
     return lenders[kind]
 
 
-def clear_sky(kind: str, suns: np.ndarray, turbidity: Any) -> SpectralSky:
-    """The clear sky that lends its colour under suns (K, 3), parameters (K, 1), or a number where it is one."""
+def clear_sky(kind: str, suns: np.ndarray, turbidity: Any, altitude: float) -> SpectralSky:
+    """The clear sky that lends its colour under suns (K, 3) of a site so many metres above the sea.
+
+    Parameters are (K, 1), or a number where it is one.
+    """
     haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), (len(suns),))
     one = len(haze) > 0 and bool((haze == haze[0]).all())
-    sky: Any = lender(kind).make(suns[:, None], {"turbidity": float(haze[0]) if one else haze[:, None]})
+    model = lender(kind)
+    given = {"turbidity": float(haze[0]) if one else haze[:, None]} | model.at_altitude(altitude)
+    sky: Any = model.make(suns[:, None], given)
     clear: SpectralSky = sky
     return clear
 
@@ -76,7 +81,9 @@ def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str
     xyz = np.zeros((*luminance.shape, 3), np.float32)
     for part in pieces(sky, cut, 12):
         rows = sky.lit[part]
-        clear = np.asarray(clear_sky(colour, sky.suns[rows], air.haze[part]).xyz(cut.directions))
+        clear = np.asarray(
+            clear_sky(colour, sky.suns[rows], air.haze[part], data.attrs["altitude"]).xyz(cut.directions)
+        )
         blue, grey = split(luminance[rows], air.clouds[part])
         xyz[rows] = clear * safe_divide(blue, clear[..., 1])[..., None] + grey[..., None] * overcast_xyz()
     xyz[np.isnan(luminance)] = np.nan
@@ -111,7 +118,7 @@ def add_spectrum(
     clouded, clouded_every = overcast_light().at(w), overcast_light().at(EVERY)
     for part in pieces(sky, cut, 3 * EVERY.size + w.size):
         rows = sky.lit[part]
-        clear = clear_sky(colour, sky.suns[rows], air.haze[part])
+        clear = clear_sky(colour, sky.suns[rows], air.haze[part], data.attrs["altitude"])
         every = visible_radiance(clear, cut)
         blue, grey = split(luminance[rows].astype(np.float64), air.clouds[part])
         factor = safe_divide(blue, every @ weights)[..., None]

@@ -31,7 +31,8 @@ def with_twilight(
         return sky, air
     haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), down.shape)[rows]
     nearer = earth_sun_distance(sky.times[rows]) ** -2
-    luminance[rows] = np.asarray(clear_sky(colour, sky.suns[rows], haze).luminance(cut.directions)) * nearer[:, None]
+    clear = clear_sky(colour, sky.suns[rows], haze, data.attrs["altitude"])
+    luminance[rows] = np.asarray(clear.luminance(cut.directions)) * nearer[:, None]
     data["diffuse_horizontal_illuminance"].values[rows] = luminance[rows] @ cut.horizontal_solid_angles
     data["status"].values[rows] |= BITS["twilight"]
     weather = Weathered(np.concatenate([air.haze, haze]), np.concatenate([air.clouds, np.zeros(len(rows))]))
