@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.constituents import Aerosol, at
-from skydome.air.phase_laws import LegendreSeries, legendre
+from skydome.air.phase_functions import legendre
+from skydome.air.phase_laws import LegendreSeries
 from skydome.air.profiles import Exponential, Profile
 from skydome.air.size_distributions import SizeDistribution
 from skydome.ground.arrays import Array
@@ -38,6 +39,8 @@ class MieOptics:
     """Mean cross section of scattering."""
     moments: np.ndarray
     """Legendre moments of the phase function, the first 1."""
+    polarising: np.ndarray
+    """Those of minus P12 over sin^2 of the angle: how much light scattered once is polarised."""
 
     @property
     def albedo(self) -> np.ndarray:
@@ -54,7 +57,7 @@ class MieOptics:
     @property
     def phase_law(self) -> LegendreSeries:
         """The phase function, interpolated between the wavelengths."""
-        return LegendreSeries(self.wavelengths, self.moments)
+        return LegendreSeries(self.wavelengths, self.moments, self.polarising)
 
     def aerosol(self, optical_depth: float = 0.1, wavelength: float = 550.0, profile: Profile | None = None) -> Aerosol:
         """So much of it that its vertical optical depth at a wavelength, nm, is `optical_depth`, over 1.5 km."""
@@ -106,14 +109,15 @@ class MieParticles(Bounded):
         n, k = at(self.refractive_index, w), at(self.absorption_index, w)
         radius, share = self.sizes.nodes(self.count)
         found = [self.one(radius, share, *parts) for parts in zip(w * 1e-9, n, k, strict=True)]
-        longest = max(moments.size for _, _, moments in found)
-        moments = np.stack([np.pad(row, (0, longest - row.size)) for _, _, row in found], axis=-1)
-        return MieOptics(w, np.array([f[0] for f in found]), np.array([f[1] for f in found]), moments)
+        longest = max(moments.shape[1] for _, _, moments in found)
+        rows = [np.pad(row, ((0, 0), (0, longest - row.shape[1]))) for _, _, row in found]
+        moments, polarising = np.stack(rows, axis=-1)
+        return MieOptics(w, np.array([f[0] for f in found]), np.array([f[1] for f in found]), moments, polarising)
 
     def one(
         self, radius: np.ndarray, share: np.ndarray, wavelength: float, n: float, k: float
     ) -> tuple[float, float, np.ndarray]:
-        """Mean cross sections of extinction and scattering, m2, and moments (L,) at one wavelength, m."""
+        """Mean cross sections of extinction and scattering, m2, and moments (2, L) at one wavelength, m."""
         x = 2 * np.pi * radius / wavelength
         electric, magnetic = coefficients(complex(n, -k), x)
         order = 2 * np.arange(1, electric.shape[1] + 1) + 1
@@ -136,9 +140,10 @@ def coefficients(index: complex, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]
 
 
 def phase_moments(electric: np.ndarray, magnetic: np.ndarray, share: np.ndarray) -> Array:
-    """Legendre moments (L,) of the phase function of spheres with a_n, b_n (N, terms) and shares (N,).
+    """Legendre moments (2, L) of spheres with a_n, b_n (N, terms) and shares (N,).
 
-    |S1|^2 + |S2|^2 is a polynomial in the cosine of degree 2 terms, so that Gauss nodes give its moments exactly.
+    Of the phase function, and of minus P12 over the squared sine. |S1|^2 + |S2|^2 is a polynomial in the cosine of
+    degree 2 terms, and |S1|^2 - |S2|^2 is sin^2 times another, so that Gauss nodes give their moments exactly.
     """
     terms = electric.shape[1]
     t, weight = gauss_legendre(2 * terms + 2)
@@ -148,11 +153,12 @@ def phase_moments(electric: np.ndarray, magnetic: np.ndarray, share: np.ndarray)
     order = np.arange(1, terms + 1)
     factor = (2 * order + 1) / (order * (order + 1))
     a, b = electric * factor, magnetic * factor
-    intensity = share @ (np.abs(a @ pi + b @ tau) ** 2 + np.abs(a @ tau + b @ pi) ** 2)  # eq. 4.74
-    moments = (polynomials * weight) @ intensity
-    moments /= moments[0]
-    counting = np.nonzero(np.abs(moments) * (2 * np.arange(moments.size) + 1) > NEGLIGIBLE)[0]
-    return np.asarray(moments[: max(counting[-1], 1) + 1])
+    across, along = np.abs(a @ pi + b @ tau) ** 2, np.abs(a @ tau + b @ pi) ** 2  # eq. 4.74: |S1|^2, |S2|^2
+    polarised = (share @ (across - along)) / (1 - cosine**2)
+    moments = np.stack([share @ (across + along), polarised]) @ (polynomials * weight).T
+    moments /= moments[0, 0]
+    counting = np.nonzero(np.abs(moments) * (2 * np.arange(moments.shape[1]) + 1) > NEGLIGIBLE)[1]
+    return np.asarray(moments[:, : max(counting.max(), 1) + 1])
 
 
 def angular(polynomials: np.ndarray, cosine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

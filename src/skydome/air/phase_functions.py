@@ -1,15 +1,38 @@
 """Phase functions: how much of the light that air and haze scatter goes which way, per steradian."""
 
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_sqrt
 from skydome.ground.interpolation import spline, weights
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
+
+CHUNK = 4096
+
+
+class ClosedForm(NamedTuple):
+    """A phase function that kernels and shaders can write down, sr-1, of the cosine c of the angle.
+
+    constant + square c^2 + the sum over lobes (a, b, g) of (a + b c^2) / (1 + g^2 - 2 g c)^1.5.
+    """
+
+    constant: float = 0.0
+    square: float = 0.0
+    lobes: tuple[tuple[float, float, float], ...] = ()
+
+    def value(self, away: Array) -> Array:
+        """The phase function of 1 - c (...,), which keeps its digits near the sun, sr-1, shape (...,)."""
+        squared = (1 - away) ** 2
+        total = self.constant + self.square * squared
+        for plain, with_square, g in self.lobes:
+            gap = (1 - g) ** 2 + 2 * g * away
+            total = total + (plain + with_square * squared) / (gap * namespace(gap).sqrt(gap))
+        return total
 
 
 def rayleigh(cos_angle: Array, depolarisation: float = 0.0) -> Array:
@@ -24,6 +47,18 @@ def rayleigh(cos_angle: Array, depolarisation: float = 0.0) -> Array:
     gamma = depolarisation / (2 - depolarisation)
     factor = 3 / (16 * np.pi * (1 + 2 * gamma))
     return factor * (1 + 3 * gamma + (1 - gamma) * cos_angle * cos_angle)
+
+
+def rayleigh_polarised(depolarisation: float = 0.0) -> float:
+    """What sin^2 of the angle is multiplied by in the polarised part of Rayleigh's phase function, sr-1.
+
+    Light of the sun is polarised across the plane of scattering by that much (Hansen and Travis 1974, eq. 2.15).
+
+    >>> bool(np.isclose(rayleigh_polarised(), rayleigh(np.array(0.0))))
+    True
+    """
+    gamma = depolarisation / (2 - depolarisation)
+    return 3 / (16 * np.pi * (1 + 2 * gamma)) * (1 - gamma)
 
 
 def henyey_greenstein(cos_angle: Array, asymmetry: Any) -> Array:
@@ -109,3 +144,21 @@ def eta_spline() -> tuple[np.ndarray, np.ndarray]:
     knots = table["theta_deg"]
     values = np.log(np.stack([table[name] for name in ("400", "450", "550", "650", "850")], axis=-1))
     return knots, spline(knots, values)
+
+
+def legendre(count: int, cosine: np.ndarray) -> Array:
+    """Legendre polynomials P_0 .. P_(count - 1) of the cosine (N,), shape (count, N)."""
+    rows = [np.ones_like(cosine), cosine]
+    for n in range(1, count - 1):
+        rows.append(((2 * n + 1) * cosine * rows[-1] - n * rows[-2]) / (n + 1))
+    return np.stack(rows[:count])
+
+
+def series_sum(moments: np.ndarray, cosine: ArrayLike) -> Array:
+    """Sum of (2 l + 1) chi_l P_l(cos) / (4 pi) for moments (L, W) at cosines (...,), (..., W)."""
+    cosine, count = np.asarray(cosine, dtype=np.float64), len(moments)
+    strength = moments * (2 * np.arange(count)[:, None] + 1) / (4 * np.pi)
+    flat, result = cosine.ravel(), np.empty((cosine.size, strength.shape[1]))
+    for start in range(0, flat.size, CHUNK):
+        result[start : start + CHUNK] = legendre(count, flat[start : start + CHUNK]).T @ strength
+    return result.reshape(*cosine.shape, -1)

@@ -3,39 +3,26 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from hashlib import sha256
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.air.phase_functions import cornette_shanks, haze, henyey_greenstein, rayleigh
+from skydome.air.phase_functions import (
+    ClosedForm,
+    cornette_shanks,
+    haze,
+    henyey_greenstein,
+    legendre,
+    rayleigh,
+    rayleigh_polarised,
+    series_sum,
+)
 from skydome.ground.arguments import numbers
-from skydome.ground.arrays import Array, constant, floating, is_numpy, namespace
+from skydome.ground.arrays import Array, constant, floating, is_numpy
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
-
-CHUNK = 4096
-
-
-class ClosedForm(NamedTuple):
-    """A phase function that kernels and shaders can write down, sr-1, of the cosine c of the angle.
-
-    constant + square c^2 + the sum over lobes (a, b, g) of (a + b c^2) / (1 + g^2 - 2 g c)^1.5.
-    """
-
-    constant: float = 0.0
-    square: float = 0.0
-    lobes: tuple[tuple[float, float, float], ...] = ()
-
-    def value(self, away: Array) -> Array:
-        """The phase function of 1 - c (...,), which keeps its digits near the sun, sr-1, shape (...,)."""
-        squared = (1 - away) ** 2
-        total = self.constant + self.square * squared
-        for plain, with_square, g in self.lobes:
-            gap = (1 - g) ** 2 + 2 * g * away
-            total = total + (plain + with_square * squared) / (gap * namespace(gap).sqrt(gap))
-        return total
 
 
 class PhaseLaw(ABC):
@@ -47,6 +34,12 @@ class PhaseLaw(ABC):
     @abstractmethod
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The phase function of the cosine (...,) at wavelengths (W,) nm, sr-1, shape (..., W)."""
+
+    def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
+        """Minus P12 over sin^2 of the angle, sr-1, shape (..., W): sunlight is polarised across the plane of scattering
+        by so much. 0 for laws that tell nothing of polarisation.
+        """
+        return spread(0.0 * floating(cosine), wavelengths)
 
     @property
     def closed(self) -> ClosedForm | None:
@@ -66,14 +59,6 @@ class PhaseLaw(ABC):
         return moments / moments[0]
 
 
-def legendre(count: int, cosine: np.ndarray) -> Array:
-    """Legendre polynomials P_0 .. P_(count - 1) of the cosine (N,), shape (count, N)."""
-    rows = [np.ones_like(cosine), cosine]
-    for n in range(1, count - 1):
-        rows.append(((2 * n + 1) * cosine * rows[-1] - n * rows[-2]) / (n + 1))
-    return np.stack(rows[:count])
-
-
 ASYMMETRY = Range(-0.999999, 0.999999)
 
 
@@ -91,6 +76,10 @@ class Rayleigh(PhaseLaw):
         """Chandrasekhar's generalised form, the same for all wavelengths."""
         return spread(rayleigh(floating(cosine), self.depolarisation), wavelengths)
 
+    def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
+        """The same at every angle."""
+        return spread(0.0 * floating(cosine) + rayleigh_polarised(self.depolarisation), wavelengths)
+
     @property
     def closed(self) -> ClosedForm:
         """A constant and a square."""
@@ -106,14 +95,18 @@ class Rayleigh(PhaseLaw):
 class HenyeyGreenstein(PhaseLaw):
     """A sum of Henyey-Greenstein lobes: `asymmetries` g in (-1, 1) and the `weights` of each, made to sum to 1.
 
+    `peak_polarisation`: degree to which light scattered by 90 degrees is polarised (White 1979): 0 for none.
+
     >>> bool(np.isclose(HenyeyGreenstein((0.85, 0.6), (1.0, 1.0)).moments(2, [550.0])[1, 0], 0.725))
     True
     """
 
     asymmetries: tuple[Any, ...] = (0.76,)
     weights: tuple[float, ...] = (1.0,)
+    peak_polarisation: float = 0.0
 
     def __post_init__(self) -> None:
+        require("peak_polarisation", self.peak_polarisation, Range(-1.0, 1.0))
         if len(self.asymmetries) != len(self.weights) or not self.weights:
             raise ValueError(
                 f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
@@ -136,6 +129,11 @@ class HenyeyGreenstein(PhaseLaw):
             float(part) * henyey_greenstein(cosine, g) for g, part in zip(self.asymmetries, self.shares, strict=True)
         ]
         return spread(sum(lobes[1:], lobes[0]), wavelengths)
+
+    def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
+        """White 1979: P12 = -peak P11 (1 - cos^2) / (1 + cos^2), as of Rayleigh's."""
+        c = floating(cosine)
+        return self.value(c, wavelengths) * (self.peak_polarisation / (1 + c * c))[..., None]
 
     @property
     def closed(self) -> ClosedForm | None:
@@ -195,6 +193,7 @@ class LegendreSeries(PhaseLaw):
 
     p(cos) = sum of (2 l + 1) chi_l P_l(cos) / (4 pi), so that its integral is 1 to rounding. The moments are linear
     between the wavelengths and held outside. ValueError unless the first moments are 1 and p is not negative.
+    `polarising`: moments (L, W) of `polarised`; None: light scattered once is unpolarised.
 
     >>> law = LegendreSeries([550.0], [[1.0], [0.0], [0.1]])     # Rayleigh's
     >>> law.value(np.array([1.0]), [550.0]).round(4).tolist() == [[round(3 / (8 * np.pi), 4)]]
@@ -203,6 +202,7 @@ class LegendreSeries(PhaseLaw):
 
     wavelengths: Any
     series: Any
+    polarising: Any = None
     wavelengths_alike: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
@@ -224,13 +224,14 @@ class LegendreSeries(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The series' sum."""
-        cosine = np.asarray(cosine, dtype=np.float64)
-        count = len(self.series)
-        strength = self.moments(count, wavelengths) * (2 * np.arange(count)[:, None] + 1) / (4 * np.pi)
-        flat, result = cosine.ravel(), np.empty((cosine.size, strength.shape[1]))
-        for start in range(0, flat.size, CHUNK):
-            result[start : start + CHUNK] = legendre(count, flat[start : start + CHUNK]).T @ strength
-        return result.reshape(*cosine.shape, -1)
+        return series_sum(self.moments(len(self.series), wavelengths), cosine)
+
+    def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
+        """The sum of the other series."""
+        if self.polarising is None:
+            return super().polarised(cosine, wavelengths)
+        moments = Spectrum(self.wavelengths, self.polarising).at(np.atleast_1d(numbers(wavelengths, "wavelengths")))
+        return series_sum(moments, cosine)
 
     def moments(self, count: int, wavelengths: ArrayLike) -> Array:
         """The moments, 0 beyond the series' end."""

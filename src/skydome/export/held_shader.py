@@ -6,7 +6,7 @@ q = sqrt(1 - sqrt(1 - z)) of the view's height z, which crowds at the horizon an
 
 import numpy as np
 
-from skydome.air.phase_laws import ClosedForm
+from skydome.air.phase_functions import ClosedForm
 from skydome.export.formula_shader import Code, Lines, angle_function, geometry
 from skydome.export.shader_languages import Language, number
 from skydome.export.sky_numbers import Numbers, Uniforms

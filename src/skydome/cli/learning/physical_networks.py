@@ -6,8 +6,8 @@ from typing import Any
 
 from skydome.cli.doors import progress
 
-PHYSICAL = "physical"
-"""What the options call this sky."""
+PHYSICAL, POLARISATION = "physical", "polarisation"
+"""What the options call this sky, and its polarisation."""
 BATCHES = 256
 """Of 16 airs each, where nobody says."""
 
@@ -39,5 +39,24 @@ def train_physical_networks(output: Path, folder: Path, batches: int, seed: int,
 
         errors = train_rest(folder, output, day, twilight, seed, listen)
     facts = {"file": str(output), "bytes": output.stat().st_size} | made
+    facts |= {f"rms_error_{name}": round(error, 5) for name, error in errors.items()}
+    return facts | {"processor_seconds": round(time.process_time() - start, 1)}
+
+
+def train_polarised_network(output: Path, folder: Path, batches: int, seed: int) -> dict[str, Any]:
+    """Trains the network of polarisation on a folder of lessons, filled up first; the facts with the errors."""
+    from skydome.own_air.all_air.polarised.lessons import make_polarised_lessons
+    from skydome.own_air.all_air.polarised.training import Course, train_polarisation
+    from skydome.own_air.all_air.training import require_torch
+
+    require_torch()
+    start, course = time.process_time(), Course()
+    with progress("simulating") as report:
+        made = make_polarised_lessons(folder, batches, report=report)
+    with progress("training") as report:
+        errors = train_polarisation(
+            folder, output, course, seed, lambda step, loss: report(step, course.steps, f"error {loss:.5f}")
+        )
+    facts = {"file": str(output), "bytes": output.stat().st_size, "folder": str(folder), "computed": made, "seed": seed}
     facts |= {f"rms_error_{name}": round(error, 5) for name, error in errors.items()}
     return facts | {"processor_seconds": round(time.process_time() - start, 1)}

@@ -9,7 +9,13 @@ from typer import Option
 
 from skydome.cli.doors import progress, require_output
 from skydome.cli.learning.animate import LAYOUTS
-from skydome.cli.learning.physical_networks import BATCHES, PHYSICAL, train_physical_networks
+from skydome.cli.learning.physical_networks import (
+    BATCHES,
+    PHYSICAL,
+    POLARISATION,
+    train_physical_networks,
+    train_polarised_network,
+)
 from skydome.cli.learning.train_day import MapsOfDay, ScansOfDay, train_day_network
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
@@ -25,7 +31,10 @@ def train(
     output: Annotated[Path, Option("--output", "-o", help="The network's file, .safetensors.")],
     model: Annotated[
         str,
-        Option(metavar="LESSON", help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral, physical"),
+        Option(
+            metavar="LESSON",
+            help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral, physical, polarisation",
+        ),
     ] = "hosek-wilkie",
     recipe: Annotated[
         str,
@@ -68,8 +77,9 @@ def train(
     """Train a small network on a sky model, or on a day of captures; `NeuralSky.load` reads it.
 
     Interrupted, it leaves FILE.training.npz, from which --resume goes on to the same result. With --model physical:
-    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run. Networks of
-    models are measured on skies that they have not seen; those of captures are with --validate.
+    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run; polarisation:
+    the same for its polarisation. Networks of models are measured on skies that they have not seen; those of captures
+    are with --validate.
     """
     if captures is not None or measured is not None:
         require_output(output, "the network's file", (".safetensors",))
@@ -79,10 +89,13 @@ def train(
         return
     if validate or folds is not None:
         raise ValueError("--validate leaves out whole captures: it goes with --captures or --measured")
-    if model == PHYSICAL:
+    if model in (PHYSICAL, POLARISATION):
         require_output(output, "the network's file", (".safetensors",))
         folder = output.with_suffix(".lessons") if lessons is None else lessons
-        show_facts(train_physical_networks(output, folder, batches, seed, small), as_json)
+        if model == PHYSICAL:
+            show_facts(train_physical_networks(output, folder, batches, seed, small), as_json)
+        else:
+            show_facts(train_polarised_network(output, folder, batches, seed), as_json)
         return
     from skydome.training.lessons import teacher_named
     from skydome.training.recipes import recipe_named

@@ -56,7 +56,7 @@ class Solver:
 
     def solve(self, air: Optics, orders: int = 24, tolerance: float = 6e-3) -> Orders:
         """All orders of a batch, numbers (AIRS,), until what is left is `tolerance` of the whole, or so many."""
-        from skydome.own_air.all_air.solver_kernel import add_ground, sweep
+        from skydome.own_air.all_air.solver_kernel import SAME, add_ground, sweep
 
         scaled, rays = Scaled.of(air, self.places.moments), self.rays
         light = self.once(scaled)
@@ -75,7 +75,7 @@ class Solver:
                 total = total + source * tail[:, None, :, None, :].astype(np.float32)
                 break
             before = mean
-            sweep(source, self.starts[0], self.starts[1], suns, azimuths, norm, weight, light)
+            sweep(source, self.starts[0], self.starts[1], suns, azimuths, norm, weight, SAME, light)
             add_ground(irradiance.astype(np.float32), end, end_norm, ground, rays.grounded, light)
         return Orders(air, scaled, np.asarray(total), order)
 
@@ -104,14 +104,14 @@ class Solver:
         Views as they are seen, suns as they stand.
         Suns by the sine of their elevation (S,), views by cosine to the vertical (V,), azimuths from the sun (P,).
         """
-        from skydome.own_air.all_air.solver_kernel import sweep
+        from skydome.own_air.all_air.solver_kernel import SAME, sweep
 
         scaled, seen = orders.scaled, seen_sines(sines)
         rays, close = Rays.to_the_eye(cosines, nodes), Rays.to_the_eye(cosines, fine)
         suns, turns, norm = self.places_along(rays, sines, azimuths)
         rest = np.empty((len(cosines), len(sines), len(azimuths), AIRS), np.float32)
         height, view = self.places.height_place(rays.height), self.places.view_place(rays.cosine)
-        sweep(orders.source, height, view, suns, turns, norm, weights(rays, scaled), rest)
+        sweep(orders.source, height, view, suns, turns, norm, weights(rays, scaled), SAME, rest)
         once, cut = np.zeros_like(rest), np.zeros_like(rest)
         for n, cosine in enumerate(cosines):
             sun = Sunlight.of(close.height[n], sun_along(close.arc[n], sines, azimuths)[0])

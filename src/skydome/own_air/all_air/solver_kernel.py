@@ -15,6 +15,7 @@ from skydome.own_air.all_air.airs import AIRS
 
 real = np.float32
 SIXTH, HALF, ONE, TWO, THREE = real(1 / 6), real(0.5), real(1), real(2), real(3)
+SAME, OTHER = real(1), real(-1)
 jit = inlined(ANY_ORDER)
 
 
@@ -32,11 +33,11 @@ def first_of_four(place, count):
 
 
 @job(ANY_ORDER)
-def sweep(source, height, view, sun, azimuth, norm, weight, out):
+def sweep(source, height, view, sun, azimuth, norm, weight, mirror, out):
     """Light at the start of rays, `out` (N, S, P, AIRS), of a source (heights, views, suns, azimuths, AIRS).
 
     Places `height`, `view` (N, K), `sun`, `azimuth` (N, K, S, P), what the source was divided by there, `norm`
-    (N, K, S, P), and weights (N, K, AIRS).
+    (N, K, S, P), and weights (N, K, AIRS). `mirror`: 1, or -1 where the sky's other half has the other sign (U).
     """
     suns, azimuths = source.shape[2], source.shape[3]
     slab = np.empty((suns, azimuths + 3, AIRS), np.float32)
@@ -60,9 +61,9 @@ def sweep(source, height, view, sun, azimuth, norm, weight, out):
                             )  # fmt: skip
             for s in range(low, high):
                 for b in range(AIRS):
-                    slab[s, 0, b] = slab[s, 2, b]
-                    slab[s, azimuths + 1, b] = slab[s, azimuths - 1, b]
-                    slab[s, azimuths + 2, b] = slab[s, azimuths - 2, b]
+                    slab[s, 0, b] = mirror * slab[s, 2, b]
+                    slab[s, azimuths + 1, b] = mirror * slab[s, azimuths - 1, b]
+                    slab[s, azimuths + 2, b] = mirror * slab[s, azimuths - 2, b]
             for s in range(sun.shape[2]):
                 for p in range(sun.shape[3]):
                     i = first_of_four(sun[n, k, s, p], suns)

@@ -1,7 +1,7 @@
 """The physical sky: one sky for all air, from noon to the end of twilight, as fast as a formula."""
 
 from dataclasses import dataclass, field
-from functools import cached_property, reduce
+from functools import cached_property
 from os import PathLike
 from typing import Any, ClassVar, Self
 
@@ -9,23 +9,29 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.arrays import Array, constant, floating, is_numpy, safe_divide
 from skydome.ground.directions import checked_directions
-from skydome.ground.limits.ranges import Range, inside
+from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.bent_sun import BentSun
-from skydome.skies.all_air.blocks import part_of
+from skydome.skies.all_air.blocks import part_of, times
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
 from skydome.skies.all_air.lit_air import LitAir
+<<<<<<< HEAD
 from skydome.skies.all_air.many_suns import LOWEST, by_kind
+=======
+from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
+from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
+from skydome.skies.all_air.polarised.network import PolarisedRest, with_polarisation
+from skydome.skies.all_air.polarised.stokes_sky import StokesSky
+>>>>>>> 707b021 (Polarisation of the physical sky: Stokes I, Q, U; single scattering with Mie's matrices, the rest by a small network; its teacher; sasktran2 as judge)
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
-from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
+from skydome.skies.all_air.taught_air import clear_air, foreign, optics, require_earth, require_taught, same, taught
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
@@ -38,14 +44,15 @@ LOW_SUN = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class PhysicalSky(AtmosphereSky):
+class PhysicalSky(StokesSky):
     """The sky of any `atmosphere` for suns from -18 to 90 degrees: light scattered once exactly, the rest by a network.
 
     One sun or many, one air or many: `sun` (..., 3) and the numbers in `atmosphere` (...,) broadcast with the
     directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: those of
     the package, smaller ones (`Networks.SMALL`), or a file of one's own. `valid` tells whether the air was taught, at
-    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. No polarisation. Errors and
-    limits: docs/models/physical.md.
+    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. Errors and limits:
+    docs/models/physical.md. `vector`: polarisation counts in all light, which it changes by some percent; a file of
+    one's own for it is `polarisation` (docs/models/polarisation.md).
 
     >>> import skydome as sd
     >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
@@ -55,6 +62,8 @@ class PhysicalSky(AtmosphereSky):
 
     atmosphere: Atmosphere = field(default_factory=clear_air)
     networks: str | PathLike[str] | Networks = Networks.FULL
+    vector: bool = False
+    polarisation: str | PathLike[str] | None = None
     knows_twilight: ClassVar[bool] = True
     bends_light: ClassVar[bool] = True
     numbers_of_air: ClassVar = {
@@ -81,8 +90,18 @@ class PhysicalSky(AtmosphereSky):
 
     @cached_property
     def rest(self) -> Rest:
-        """The networks of the light scattered more than once."""
+        """The networks of light scattered more than once."""
+        return with_polarisation(self.plain_rest, self.polarised) if self.vector else self.plain_rest
+
+    @cached_property
+    def plain_rest(self) -> Rest:
+        """Those of light without polarisation."""
         return shipped_rest(self.networks) if isinstance(self.networks, Networks) else load_rest(self.networks)
+
+    @cached_property
+    def polarised(self) -> PolarisedRest:
+        """The network of polarisation."""
+        return shipped_polarisation() if self.polarisation is None else load_polarisation(self.polarisation)
 
     @cached_property
     def toward(self) -> Array:
@@ -120,10 +139,7 @@ class PhysicalSky(AtmosphereSky):
     @property
     def valid(self) -> Array:
         """True where the air was taught, at 380-780 nm, and the sun stands above -18 degrees, boolean array (...,)."""
-        numbers = optics(self.atmosphere, SpectralSky.bands, self.toward)
-        xp = namespace(*numbers)
-        taught = [xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items()]
-        return reduce(lambda a, b: a & b, taught) & self.is_day
+        return taught(optics(self.atmosphere, SpectralSky.bands, self.toward)) & self.is_day
 
     @property
     def valid_held(self) -> Array:
@@ -146,8 +162,7 @@ class PhysicalSky(AtmosphereSky):
         if w[0] < WAVELENGTHS.low or w[-1] > WAVELENGTHS.high:
             raise ValueError(f"wavelengths must lie in {WAVELENGTHS}, got {w[0]:g} to {w[-1]:g}")
         views = self.views(directions)
-        light = self.in_blocks(views, self.at(w), self.atmosphere.sun_at(w))
-        return self.blanked(light, views)
+        return self.blanked(self.in_blocks(views, self.at(w), self.atmosphere.sun_at(w)), views)
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3): the air's part of the spectrum follows
@@ -163,8 +178,21 @@ class PhysicalSky(AtmosphereSky):
     def colours(self) -> np.ndarray:
         """CIE XYZ of light at `NODES` for a sun of irradiance 1, under the true sun, (W, 3)."""
         sun = self.atmosphere.sun_at(SpectralSky.bands)
-        result: np.ndarray = bands_from_nodes().T @ (sun[:, None] * xyz_of_bands())
-        return result
+        return np.asarray(bands_from_nodes().T @ (sun[:, None] * xyz_of_bands()))
+
+    def stokes(self, directions: Array, wavelengths: Any) -> Array:
+        """Stokes I, Q, U toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W, 3); 0 below the horizon.
+
+        I is that of polarised light whatever `vector`; ValueError as of `radiance`.
+        """
+        light, lit = self.radiance(directions, wavelengths), self.at(checked_wavelengths(wavelengths))
+        return light[..., None] * in_blocks(self.shares, self.toward, self.views(directions), lit)
+
+    def shares(self, sun: Array, views: Array, lit: LitAir) -> Array:
+        """Stokes I, Q and U over `radiance`, (..., W, 3)."""
+        once, where = self.once(lit, *cosines(sun, views)), (sun, as_seen(self.tables, sun), views)
+        light = stokes_shares(self.polarised, self.plain_rest, self.laws, once, lit, *where)
+        return safe_divide(light, light[..., :1]) if self.vector else light
 
     def in_blocks(self, views: Array, lit: LitAir, factors: np.ndarray) -> Array:
         """Light (..., W) times factors (W,) or (W, C): in NumPy some directions of some suns at a time."""
@@ -220,26 +248,3 @@ class PhysicalSky(AtmosphereSky):
         colours = self.colours() * float(self.is_day)
         series = [series_of(np.concatenate(shapes) @ colours), series_of(rest[None] @ colours)]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))
-
-
-def times(light: Array, factors: np.ndarray) -> Array:
-    """Light (..., W) times factors (W,), or summed by factors (W, C)."""
-    return light * constant(factors, light) if factors.ndim == 1 else light @ constant(factors, light)
-
-
-def require_taught(numbers: Optics) -> None:
-    """ValueError in one line where a number of the air was not taught."""
-    for name, number in numbers._asdict().items():
-        if not is_concrete(number):
-            continue
-        found, interval = np.asarray(as_numpy(number)), TAUGHT[name]
-        wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
-        if wrong.any():
-            raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
-
-
-def require_earth(air: Atmosphere) -> None:
-    """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
-    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
-        size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
-        raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

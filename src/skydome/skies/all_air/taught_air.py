@@ -1,14 +1,17 @@
 """What the rest of the sky's light depends on: a few optical numbers of the air, and the ranges that were taught."""
 
 from collections.abc import Sequence
+from functools import reduce
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.cross_sections import STANDARD_PRESSURE
 from skydome.air.named_airs import BACKGROUND_DEPTH
-from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
-from skydome.ground.limits.ranges import Range
+from skydome.ground.arrays import Array, as_numpy, constant, is_concrete, is_numpy, namespace, safe_divide
+from skydome.ground.limits.ranges import Range, inside
 
 HIGH = 10_000.0
 """Mean height, m, from which an aerosol counts as stratospheric."""
@@ -125,3 +128,28 @@ def ratio(upper: Array, lower: Array, otherwise: float) -> Array:
 def same(value: Any, like: Array) -> Array:
     """An array of NumPy's as one of the library of `like`; others as they are."""
     return constant(value, like) if is_numpy(value) else value
+
+
+def taught(numbers: Optics) -> Array:
+    """True where all numbers (..., W) of an air were taught, (...,)."""
+    xp = namespace(*numbers)
+    each = (xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items())
+    return reduce(lambda a, b: a & b, each)
+
+
+def require_taught(numbers: Optics) -> None:
+    """ValueError in one line where a number of the air was not taught."""
+    for name, number in numbers._asdict().items():
+        if not is_concrete(number):
+            continue
+        found, interval = np.asarray(as_numpy(number)), TAUGHT[name]
+        wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
+        if wrong.any():
+            raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
+
+
+def require_earth(air: Atmosphere) -> None:
+    """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
+    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
+        size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
+        raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skydome.air.phase_laws import ClosedForm, PhaseLaw
+from skydome.air.phase_functions import ClosedForm
+from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.interpolation import lagrange_about
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.physical.cosine_series import LEAST_COSINE, position
