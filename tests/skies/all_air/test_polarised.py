@@ -1,7 +1,7 @@
 """Polarisation of the physical sky: closed forms, conventions, neutral points, an independent program, gradients."""
 
 import csv
-import sys
+import importlib.util
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +20,10 @@ NOTHING = {"aerosol_depth": 0.0, "ozone": 0.0, "albedo": 0.0, "stratospheric_dep
 @pytest.fixture(scope="module")
 def judge():
     """The script that asks sasktran2."""
-    sys.path.insert(0, str(ROOT / "scripts"))
-    try:
-        import judge_sasktran2
-    finally:
-        sys.path.pop(0)
-    return judge_sasktran2
+    spec = importlib.util.spec_from_file_location("judge_sasktran2", ROOT / "scripts" / "judge_sasktran2.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    return script
 
 
 def golden(number):
@@ -170,7 +168,7 @@ def test_files(tmp_path):
     own, shipped = (sd.PhysicalSky(SUN, polarisation=p).stokes(sd.ZENITH, [500.0]) for p in (path, None))
     np.testing.assert_array_equal(own, shipped)
     path.write_bytes(path.read_bytes()[:5000])
-    with pytest.raises(ValueError, match="own.safetensors"):
+    with pytest.raises(ValueError, match=r"own\.safetensors"):
         load_polarisation(path)
     rest = Path(sd.__file__).parent / "ground" / "data" / "physical_sky_small.safetensors"
     with pytest.raises(ValueError, match="is not a file of the sky's polarisation"):

@@ -10,4 +10,5 @@
 - solver_kernel  The compiled steps of it
 - lessons        Solved airs in a folder: a run goes on where it was stopped
 - training       Shapes and networks from lessons
+- polarised/     The same for polarisation
 """

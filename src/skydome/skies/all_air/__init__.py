@@ -13,4 +13,5 @@
 - bent_sun            The sun's disc through that air: lifted, flattened, reddened
 - rest                What is scattered more than once, by networks over shapes of the dome
 - rest_files          Those networks in a file
+- polarised/          Polarisation: Stokes parameters, and the network of their rest
 """

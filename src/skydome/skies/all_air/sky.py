@@ -18,14 +18,11 @@ from skydome.skies.all_air.blocks import part_of, times
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
 from skydome.skies.all_air.lit_air import LitAir
-<<<<<<< HEAD
 from skydome.skies.all_air.many_suns import LOWEST, by_kind
-=======
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
 from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
 from skydome.skies.all_air.polarised.network import PolarisedRest, with_polarisation
 from skydome.skies.all_air.polarised.stokes_sky import StokesSky
->>>>>>> 707b021 (Polarisation of the physical sky: Stokes I, Q, U; single scattering with Mie's matrices, the rest by a small network; its teacher; sasktran2 as judge)
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines

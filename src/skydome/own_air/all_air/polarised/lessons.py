@@ -22,6 +22,8 @@ VIEWS, AZIMUTHS = 20, 13
 PLACES = Places(18, 15, 44, 9, 9, nodes=12, nodes_once=24, rising=8, falling=5)
 """Coarser than the rest's: shares of light within .001 of the finer grid's (rms), suns from 60 to -4 degrees."""
 FIELDS = "excess", "q", "u"
+MOST = np.array([0.5, 1.0, 1.0])[:, None]
+"""Of the fields; what is beyond is the grid's own error, in the dark of deep ozone, and counts for nothing."""
 
 
 def make_polarised_lessons(
@@ -86,7 +88,8 @@ class PolarisedLessons:
             raise ValueError(f"the folder must hold lessons (make_polarised_lessons), got {folder}")
         parts = [cases(path, number) for number, path in enumerate(files)]
         numbers, sines, fields, share, held = (np.concatenate(part) for part in zip(*parts, strict=True))
-        return cls(Optics(*numbers.T), sines, fields, share, held)
+        sound = (np.abs(fields) < MOST).all(axis=1)
+        return cls(Optics(*numbers.T), sines, np.where(sound[:, None], fields, 0.0), share * sound, held)
 
     def chosen(self, which: np.ndarray) -> "PolarisedLessons":
         """Some of the cases."""

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from skydome.ground.data import DATA
 from skydome.ground.files.reading import decoding, tensors_in
 from skydome.ground.files.tensors import tensor_bytes
-from skydome.ground.tables import DATA
 from skydome.skies.all_air.polarised.network import PolarisedRest
 
 FORMAT = "skydome polarisation 1"

@@ -23,7 +23,7 @@ class StokesSky(AtmosphereSky):
 
         >>> import skydome as sd
         >>> sky = sd.PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=10 * sd.deg))
-        >>> bool(0.6 < sky.degree_of_polarisation(sd.ZENITH, [650.0])[0] < 0.8)
+        >>> bool(0.5 < sky.degree_of_polarisation(sd.ZENITH, [550.0])[0] < 0.7)
         True
         """
         stokes = self.stokes(directions, wavelengths)
@@ -40,7 +40,7 @@ class StokesSky(AtmosphereSky):
         >>> sky = sd.PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=10 * sd.deg))
         >>> toward = sd.direction(azimuth=[0.0, 90 * sd.deg], elevation=45 * sd.deg)
         >>> sky.angle_of_polarisation(toward, [650.0])[:, 0].round(1).tolist()
-        [1.6, -0.9]
+        [1.6, 0.1]
         """
         stokes = self.stokes(directions, wavelengths)
         return namespace(stokes).atan2(stokes[..., 2], stokes[..., 1]) / 2
