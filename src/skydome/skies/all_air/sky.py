@@ -9,28 +9,30 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.arrays import Array, constant, floating, is_numpy, namespace
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, inside
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.blocks import part_of
 from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.many_suns import LOWEST, by_kind
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines
-from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
-from skydome.skies.all_air.taught_air import NAMES, TAUGHT, Optics, clear_air, foreign, optics, same
+from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
+from skydome.skies.all_air.taught_air import ALLOWED, clear_air, foreign, optics, require_earth, require_taught, same
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
+from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
-WAVELENGTHS = Range(300.0, 1100.0, "nm")
+WAVELENGTHS = Range(300.0, 2500.0, "nm")
 SMOOTH, SMOOTHER = 8, 4
 """Terms in the azimuth that tell the light scattered once, without its phase functions: under a low sun, a high one."""
 LOW_SUN = 0.05
@@ -122,7 +124,7 @@ class PhysicalSky(AtmosphereSky):
         """True where the air was taught, at 380-780 nm, and the sun stands above -18 degrees, boolean array (...,)."""
         numbers = optics(self.atmosphere, SpectralSky.bands, self.toward)
         xp = namespace(*numbers)
-        taught = [xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items()]
+        taught = [xp.all(inside(number, ALLOWED[name]), axis=-1) for name, number in numbers._asdict().items()]
         return reduce(lambda a, b: a & b, taught) & self.is_day
 
     @property
@@ -140,13 +142,14 @@ class PhysicalSky(AtmosphereSky):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon.
 
-        ValueError for wavelengths outside 300-1100 nm, or at which the air was not taught.
+        ValueError for wavelengths outside 300-2500 nm, or at which the air was not taught.
         """
         w = checked_wavelengths(wavelengths)
         if w[0] < WAVELENGTHS.low or w[-1] > WAVELENGTHS.high:
             raise ValueError(f"wavelengths must lie in {WAVELENGTHS}, got {w[0]:g} to {w[-1]:g}")
         views = self.views(directions)
-        light = self.in_blocks(views, self.at(w), self.atmosphere.sun_at(w))
+        self.tell_missing_bands(w)
+        light = self.in_blocks(views, self.at(w), SkySpectrum(w, self.atmosphere.sun_at(w)))
         return self.blanked(light, views)
 
     def xyz(self, directions: Array) -> Array:
@@ -160,22 +163,21 @@ class PhysicalSky(AtmosphereSky):
         """The directions (..., 3), checked, in the sky's library."""
         return checked_directions(same(floating(directions), self.toward))
 
-    def colours(self) -> np.ndarray:
-        """CIE XYZ of light at `NODES` for a sun of irradiance 1, under the true sun, (W, 3)."""
-        sun = self.atmosphere.sun_at(SpectralSky.bands)
-        result: np.ndarray = bands_from_nodes().T @ (sun[:, None] * xyz_of_bands())
-        return result
+    def colours(self) -> SkyColours:
+        """From light at `NODES` for a sun of irradiance 1 to CIE XYZ under the true sun."""
+        return SkyColours.of(self.atmosphere, bands_from_nodes().T)
 
-    def in_blocks(self, views: Array, lit: LitAir, factors: np.ndarray) -> Array:
-        """Light (..., W) times factors (W,) or (W, C): in NumPy some directions of some suns at a time."""
+    def in_blocks(self, views: Array, lit: LitAir, ending: SkyColours | SkySpectrum) -> Array:
+        """Light as `ending` makes it of light at the air's wavelengths: in NumPy some views of some suns at a time."""
         sun = self.toward
         if not is_numpy(sun) or any(np.ndim(law.mean_cosine(NODES[:1])) > 1 for law in self.laws):
-            return times(self.light(sun, views, lit), factors)
+            return ending.of_light(self.light(sun, views, lit), lit.gases, sun[..., 2], views[..., 2])
         shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
-        light, once = np.zeros((*shape, factors.shape[-1])), chosen(int(np.prod(shape)))
+        light, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
         for block in by_kind(sun, shape, once is compiled):
-            some = self.light(part_of(sun, block), part_of(views, block), lit.part(block), once)
-            light[block] = times(some, factors)
+            here, toward, air = part_of(sun, block), part_of(views, block), lit.part(block)
+            some = self.light(here, toward, air, once)
+            light[block] = ending.of_light(some, air.gases, here[..., 2], toward[..., 2])
         return light
 
     @property
@@ -189,6 +191,8 @@ class PhysicalSky(AtmosphereSky):
         turn = cosine_of_turn(sun, views)
         total = self.rest.radiance(lit.numbers, height, lambda network: network.at(view, turn))
         glow = cosines(as_seen(self.tables, sun), views)[2]
+        if lit.held is not None:
+            total = total * dimming(self.tables, height, lit.depths, lit.held, lit.shares)
         for law, strength in zip(self.laws, self.once(lit, view, height, between, once), strict=True):
             total = total + strength * same(law.value(glow, lit.wavelengths), total)
         return total
@@ -217,29 +221,6 @@ class PhysicalSky(AtmosphereSky):
         strengths = self.once(lit, view, height, between)
         shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
         rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
-        colours = self.colours() * float(self.is_day)
-        series = [series_of(np.concatenate(shapes) @ colours), series_of(rest[None] @ colours)]
+        fields, day = (np.concatenate(shapes), rest[None]), float(self.is_day)
+        series = [series_of(self.colours().of_light(some * day, lit.gases, height, view)) for some in fields]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))
-
-
-def times(light: Array, factors: np.ndarray) -> Array:
-    """Light (..., W) times factors (W,), or summed by factors (W, C)."""
-    return light * constant(factors, light) if factors.ndim == 1 else light @ constant(factors, light)
-
-
-def require_taught(numbers: Optics) -> None:
-    """ValueError in one line where a number of the air was not taught."""
-    for name, number in numbers._asdict().items():
-        if not is_concrete(number):
-            continue
-        found, interval = np.asarray(as_numpy(number)), TAUGHT[name]
-        wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
-        if wrong.any():
-            raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
-
-
-def require_earth(air: Atmosphere) -> None:
-    """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
-    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
-        size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
-        raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

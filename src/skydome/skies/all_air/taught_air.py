@@ -3,11 +3,14 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.cross_sections import STANDARD_PRESSURE
+from skydome.air.gases.gases import STANDARD_WATER
 from skydome.air.named_airs import BACKGROUND_DEPTH
-from skydome.ground.arrays import Array, constant, is_numpy, namespace, safe_divide
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range
 
 HIGH = 10_000.0
@@ -23,6 +26,8 @@ TAUGHT = {
     "ground": Range(0.0, 1.0),
 }
 """Optical depths (molecules, low aerosol, stratospheric aerosol, ozone), the aerosol's numbers, the ground's albedo."""
+ALLOWED = TAUGHT | {"absorbers": Range(0.0, 6.5)}
+"""What the sky may be asked for: ozone goes beyond what was taught (`deep_ozone`)."""
 NAMES = {
     "molecules": "optical depth of molecules",
     "aerosol": "optical depth of aerosol",
@@ -57,6 +62,7 @@ def clear_air(
     aerosol_albedo: Any = 0.92,
     angstrom: Any = 1.3,
     stratospheric_depth: Any = BACKGROUND_DEPTH,
+    water: Any = STANDARD_WATER,
 ) -> Atmosphere:
     """The air that the physical sky was taught: `Atmosphere.standard`, under the name that this sky had for it.
 
@@ -72,6 +78,7 @@ def clear_air(
         aerosol_albedo=aerosol_albedo,
         angstrom=angstrom,
         stratospheric_depth=stratospheric_depth,
+        water=water,
     )
 
 
@@ -108,6 +115,9 @@ def kinds(air: Atmosphere) -> tuple[Sequence[Constituent], ...]:
 def foreign(air: Atmosphere) -> Array | None:
     """An array of the library that the numbers of an atmosphere are in; None where that is NumPy."""
     w = [550.0]
+    for value in () if air.gases is None else (air.gases.water, air.gases.pressure):
+        if not is_numpy(floating(value)):
+            return floating(value)
     for part in air.constituents:
         for value in (part.depth(w), part.scattered(w), part.phase_law.mean_cosine(w)):
             if not is_numpy(value):
@@ -125,3 +135,21 @@ def ratio(upper: Array, lower: Array, otherwise: float) -> Array:
 def same(value: Any, like: Array) -> Array:
     """An array of NumPy's as one of the library of `like`; others as they are."""
     return constant(value, like) if is_numpy(value) else value
+
+
+def require_taught(numbers: Optics) -> None:
+    """ValueError in one line where a number of the air was not taught."""
+    for name, number in numbers._asdict().items():
+        if not is_concrete(number):
+            continue
+        found, interval = np.asarray(as_numpy(number)), ALLOWED[name]
+        wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
+        if wrong.any():
+            raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
+
+
+def require_earth(air: Atmosphere) -> None:
+    """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
+    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
+        size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
+        raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

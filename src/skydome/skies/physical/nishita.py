@@ -65,7 +65,7 @@ class Nishita93(AtmosphereSky):
             found = np.zeros((len(flat), w.size))
             found[up] = self.under_one_sun(table, suns[index], flat[up], w)
             light[place] = found.reshape(*views.shape[:-1], w.size)
-        return light * self.atmosphere.sun_at(w)
+        return light * self.sunlight(directions, w)
 
     def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once, for a sun of irradiance 1, sr-1, shape (D, W)."""
