@@ -28,6 +28,7 @@ HOME = {
     "light.daylight": "daylight_spectrum",
     "air.atmosphere": "Atmosphere",
     "air.constituents": "Aerosol Molecules Ozone",
+    "air.gases.gases": "Gases",
     "air.mie": "MieParticles",
     "air.size_distributions": "Lognormal Junge GammaSizes",
     "air.transmittance": "ClearAir",

@@ -4,6 +4,7 @@ from skydome.air.atmosphere import Atmosphere as Atmosphere
 from skydome.air.constituents import Aerosol as Aerosol
 from skydome.air.constituents import Molecules as Molecules
 from skydome.air.constituents import Ozone as Ozone
+from skydome.air.gases.gases import Gases as Gases
 from skydome.air.mie import MieParticles as MieParticles
 from skydome.air.size_distributions import GammaSizes as GammaSizes
 from skydome.air.size_distributions import Junge as Junge

@@ -11,7 +11,6 @@ from functools import cache
 import numpy as np
 
 from skydome.air.cross_sections import ozone_cross_section, rayleigh_depth
-from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 
 NODES = np.arange(400.0, 701.0, 30.0)
@@ -44,9 +43,3 @@ def bands_from_nodes() -> np.ndarray:
     known = spectra[:, np.isin(SpectralSky.bands, NODES)]
     square = known.T @ known + LITTLE * SPECTRA * np.eye(len(NODES))
     return np.asarray(np.linalg.solve(square, known.T @ spectra).T)
-
-
-@cache
-def xyz_of_bands() -> np.ndarray:
-    """From spectra at `SpectralSky.bands` to XYZ, (B, 3)."""
-    return xyz_weights(SpectralSky.bands)
