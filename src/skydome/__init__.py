@@ -62,6 +62,8 @@ HOME = {
     "skies.physical.nishita": "Nishita93 Nishita96",
     "skies.physical.held": "held",
     "skies.path_tracing.sky": "PathTraced",
+    "skies.physical.precomputed.tables": "ScatteringTables",
+    "skies.physical.precomputed.sky": "PrecomputedScattering",
     "skies.physical.prague.sky": "Prague",
     "skies.night.moonlight": "Moonlight",
     "skies.night.moon_disc": "MoonDisc",

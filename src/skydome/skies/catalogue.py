@@ -14,7 +14,15 @@ from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
 from skydome.skies.formula.older.pokrowski import Pokrowski
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
-from skydome.skies.model import AirModel, Model, NeuralModel, PhysicalModel, PreethamModel, TracedModel
+from skydome.skies.model import (
+    AirModel,
+    Model,
+    NeuralModel,
+    PhysicalModel,
+    PreethamModel,
+    ScatteringModel,
+    TracedModel,
+)
 from skydome.skies.neural.files import load_network
 from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky
 from skydome.skies.path_tracing.sky import PathTraced
@@ -24,6 +32,7 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.physical.prague.file import read_prague
 from skydome.skies.physical.prague.sky import Prague
+from skydome.skies.physical.precomputed.sky import PrecomputedScattering
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
 from skydome.skies.uniform import MoonSpencer, Uniform
@@ -106,6 +115,7 @@ CATALOGUE: tuple[Model, ...] = (
     AirModel(
         "nishita-1996", Nishita96, failures="two scatterings only: a few percent (red) to a fifth (blue) too dark"
     ),
+    ScatteringModel("precomputed", PrecomputedScattering),
     TracedModel(
         "path-traced",
         PathTraced,

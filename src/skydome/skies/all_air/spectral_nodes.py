@@ -39,7 +39,19 @@ def family(wavelengths: np.ndarray) -> np.ndarray:
 @cache
 def bands_from_nodes() -> np.ndarray:
     """How the light at `SpectralSky.bands` follows from that at `NODES`, (B, W)."""
-    spectra = family(SpectralSky.bands)
-    known = spectra[:, np.isin(SpectralSky.bands, NODES)]
-    square = known.T @ known + LITTLE * SPECTRA * np.eye(len(NODES))
-    return np.asarray(np.linalg.solve(square, known.T @ spectra).T)
+    return spectrum_from_nodes(NODES, SpectralSky.bands).T
+
+
+def spectrum_from_nodes(nodes: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+    """How the light at wavelengths (B,) follows from that at others, `nodes` (W,), by least squares, (W, B).
+
+    Where all are nodes themselves, as it is.
+    """
+    meet = nodes[:, None] == wavelengths
+    if meet.any(axis=0).all():
+        return np.asarray(meet, dtype=np.float64)
+    together, place = np.unique(np.concatenate([nodes, wavelengths]), return_inverse=True)
+    spectra = family(together)[:, place]
+    known, wanted = spectra[:, : nodes.size], spectra[:, nodes.size :]
+    square = known.T @ known + LITTLE * SPECTRA * np.eye(nodes.size)
+    return np.asarray(np.linalg.solve(square, known.T @ wanted))

@@ -15,4 +15,5 @@
 - held_rows_kernel    The same compiled
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
 - prague/             The Prague sky model, fitted to path tracing, from the files that its authors publish
+- precomputed/        Skies from tables of scattered light that all suns, views and heights share
 """
