@@ -206,3 +206,20 @@ def test_colour_by_a_named_rule(facts, refused):
     assert "knows its own colour" in refused("light", "--sun", "180,30", "--model", "preetham", "--colour", "luminance")
     assert "a model that knows colour" in refused(*asked, "--colour", "uniform")
     assert "one of them" in refused(*asked, "--colour", "luminance", "--chromaticity", "0.3,0.3")
+
+
+def test_visibility_is_the_other_way_to_say_turbidity(facts, when, refused):
+    """20 km are turbidity 3.3 by Preetham's Figure 3; both together, and more than clean air allows, are refused."""
+    turbidity = 3.3005727891589816
+    seen, hazed = (
+        facts("light", *when, "--model", "preetham", *words)
+        for words in (("--visibility", "20km"), ("--turbidity", turbidity))
+    )
+    assert seen["zenith_luminance_cd_m2"] == pytest.approx(hazed["zenith_luminance_cd_m2"], rel=1e-12)
+    assert "haze: one sees 20 km, turbidity 3.3" in seen["notes"]
+    for words, message in (
+        (("--visibility", "20km", "--turbidity", "3"), "give one of them"),
+        (("--visibility", "400km"), "meteorological range"),
+        (("--visibility", "far"), "such as 20km"),
+    ):
+        assert message in refused("light", *when, "--model", "preetham", *words)

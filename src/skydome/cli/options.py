@@ -16,6 +16,26 @@ WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of sk
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
 
 
+def metres_from(text: str) -> float:
+    """A distance in metres, from 20km or 20000m; ValueError for anything else.
+
+    >>> metres_from("20km"), metres_from("1500 m")
+    (20000.0, 1500.0)
+    """
+    value, unit = text.strip().lower(), 1.0
+    for ending, size in (("km", 1000.0), ("m", 1.0)):
+        if value.endswith(ending):
+            value, unit = value.removesuffix(ending), size
+            break
+    try:
+        metres = float(value) * unit
+    except ValueError:
+        metres = float("nan")
+    if not 0 < metres < float("inf"):
+        raise ValueError(f"a visibility is a distance such as 20km or 5000m, got {text!r}")
+    return metres
+
+
 @dataclass(frozen=True)
 class SunOptions:
     """Where the sun stands: a place and a time, or its direction itself."""
@@ -61,6 +81,10 @@ class SkyOptions(SunOptions):
     model: ModelName = "physical"
     turbidity: Annotated[
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
+    ] = None
+    visibility: Annotated[
+        float | None,
+        Option(parser=metres_from, metavar="20km", help="How far one sees, instead of haze.", rich_help_panel=AIR),
     ] = None
     albedo: Annotated[float | None, Option(help="Ground reflectance, 0-1. [default: 0.2]", rich_help_panel=AIR)] = None
     altitude: Annotated[
