@@ -11,29 +11,11 @@ from typing import Annotated, Any, get_type_hints
 
 from typer import Option
 
+from skydome.cli.lengths import metres_from
+
 WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
 
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
-
-
-def metres_from(text: str) -> float:
-    """A distance in metres, from 20km or 20000m; ValueError for anything else.
-
-    >>> metres_from("20km"), metres_from("1500 m")
-    (20000.0, 1500.0)
-    """
-    value, unit = text.strip().lower(), 1.0
-    for ending, size in (("km", 1000.0), ("m", 1.0)):
-        if value.endswith(ending):
-            value, unit = value.removesuffix(ending), size
-            break
-    try:
-        metres = float(value) * unit
-    except ValueError:
-        metres = float("nan")
-    if not 0 < metres < float("inf"):
-        raise ValueError(f"a visibility is a distance such as 20km or 5000m, got {text!r}")
-    return metres
 
 
 @dataclass(frozen=True)
