@@ -4,7 +4,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.doors import progress
-from skydome.cli.options import SkyOptions, numbers, option_name, relative_error, set_by_name
+from skydome.cli.options import SkyOptions, numbers, option_name, set_by_name
+from skydome.cli.quantities import relative_error
 
 if TYPE_CHECKING:
     from skydome.cli.moment import Moment

@@ -1,4 +1,4 @@
-"""Lengths as people write them: 20km, 5000m."""
+"""Quantities as people write them: 20km, 5000m, 0.5%."""
 
 
 def metres_from(text: str) -> float:
@@ -19,3 +19,18 @@ def metres_from(text: str) -> float:
     if not 0 < metres < float("inf"):
         raise ValueError(f"a visibility is a distance such as 20km or 5000m, got {text!r}")
     return metres
+
+
+def relative_error(text: str) -> float:
+    """The error of --until as a fraction; ValueError unless in (0, 50 %].
+
+    >>> relative_error("0.5%"), relative_error("0.02")
+    (0.005, 0.02)
+    """
+    try:
+        value = float(text[:-1]) / 100 if text.endswith("%") else float(text)
+    except ValueError:
+        value = float("nan")
+    if not 1e-6 <= value <= 0.5:
+        raise ValueError(f"--until must be an error in (0, 50%] such as 1% or 0.01, got {text!r}")
+    return value
