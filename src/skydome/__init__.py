@@ -80,6 +80,7 @@ HOME = {
     "dome.render": "render",
     "dome.render_pixels": "render_pixels",
     "dome.integrals": "illuminance irradiance",
+    "dome.energy": "broadband uv_index photosynthetic_photon_flux Broadband",
     "dome.patch_means": "patch_means",
     "dome.harmonics": "SphericalHarmonics",
     "dome.bases.sky_basis": "SkyBasis ColourSkyBasis",

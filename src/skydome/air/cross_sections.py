@@ -89,13 +89,16 @@ def carbon_dioxide_cross_section(wavelengths: ArrayLike) -> Array:
 
 
 def ozone_cross_section(wavelengths: ArrayLike) -> Array:
-    """Absorption cross section of a molecule of ozone, m2, shape (W,); held below 300 nm, 0 beyond 835 nm.
+    """Absorption cross section of a molecule of ozone, m2, shape (W,); 0 beyond 835 nm.
 
-    The logarithm is linear between the samples: the Huggins bands fall by a factor of 1000 in 40 nm.
+    The logarithm is linear between the samples (the Huggins bands fall by a factor of 1000 in 40 nm), and below 300 nm
+    goes on as it does from 305 to 300 nm.
     """
     table = columns("ozone_cross_section")
     w, known = checked_wavelengths(wavelengths), table["wavelength_nm"]
-    values = np.interp(w, known, np.log(table["cross_section"]))
+    logarithm = np.log(table["cross_section"])
+    beyond = np.minimum(w - known[0], 0.0) * (logarithm[1] - logarithm[0]) / (known[1] - known[0])
+    values = np.interp(w, known, logarithm) + beyond
     result: np.ndarray = np.where(w <= known[-1], np.exp(values), 0.0)
     return result
 

@@ -30,7 +30,7 @@ class Gases(Bounded):
 
     >>> import numpy as np
     >>> Gases(water=1.42).transmittance(np.array([1.0, 2.0]), np.array([1.0, 2.0]), [762.5, 940.0]).round(3).tolist()
-    [[0.526, 0.365], [0.413, 0.235]]
+    [[0.704, 0.516], [0.597, 0.38]]
     """
 
     water: Any = STANDARD_WATER
