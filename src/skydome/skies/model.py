@@ -29,8 +29,6 @@ from skydome.sun.place import Place
 
 USUAL = {"turbidity": 3.0, "albedo": USUAL_ALBEDO}
 """What is taken where nobody says: clear air over dry land."""
-
-
 TAUGHT_TURBIDITY = Range(1.0, 10.0)
 """Of the physical sky: more haze was not taught."""
 
@@ -168,9 +166,10 @@ class AirModel(Model):
     def air(self, given: Mapping[str, Any]) -> Any:
         """Air of the usual aerosol."""
         asked = USUAL | dict(given)
-        require("altitude", asked.get("altitude", 0.0), Place.bounds["altitude"])
-        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
-        return replace(air.at_altitude(asked.get("altitude", 0.0)), sun_scale=asked.get("sun_scale", 1.0))
+        altitude = asked.get("altitude", 0.0)
+        require("altitude", altitude, Place.bounds["altitude"])
+        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"]).at_altitude(altitude)
+        return replace(air, sun_scale=asked.get("sun_scale", 1.0))
 
     def at_distance(self, distance: float) -> dict[str, float]:
         """The sun's strength."""
@@ -190,13 +189,12 @@ class AirModel(Model):
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """The air."""
         asked = USUAL | dict(given)
-        turbidity, albedo = asked["turbidity"], asked["albedo"]
         molecules, aerosol, ozone, *high = self.air(given).constituents
         whole = aerosol.optical_depth + sum(part.optical_depth for part in high)
-        depth, lobe = f"{whole:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
+        depth = f"{whole:.3f} at 550 nm (g {aerosol.phase.asymmetries[0]:g})"
         return [
-            f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU",
-            f"ground: albedo {albedo:g}, {asked.get('altitude', 0):g} m high, {molecules.pressure / 100:.0f} hPa",
+            f"air: turbidity {asked['turbidity']:g}, an aerosol depth of {depth}, ozone {ozone.column:g} DU",
+            f"ground: albedo {asked['albedo']:g}, {asked.get('altitude', 0):g} m high, {molecules.pressure / 100:.0f} hPa",
         ]
 
 
@@ -214,8 +212,8 @@ class PhysicalModel(AirModel):
         if np.ndim(given.get("turbidity", 0.0)) == 0:
             return super().air(given)
         depth = depth_of_turbidity(np.asarray(given["turbidity"], np.float64))
-        air = Atmosphere.standard(depth, albedo=given.get("albedo", USUAL["albedo"]))
-        return air.at_altitude(given.get("altitude", 0.0))
+        albedo, altitude = given.get("albedo", USUAL["albedo"]), given.get("altitude", 0.0)
+        return Atmosphere.standard(depth, albedo=albedo).at_altitude(altitude)
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
