@@ -191,10 +191,10 @@ class AirModel(Model):
         asked = USUAL | dict(given)
         molecules, aerosol, ozone, *high = self.air(given).constituents
         whole = aerosol.optical_depth + sum(part.optical_depth for part in high)
-        depth = f"{whole:.3f} at 550 nm (g {aerosol.phase.asymmetries[0]:g})"
+        depth, height = f"{whole:.3f} at 550 nm (g {aerosol.phase.asymmetries[0]:g})", asked.get("altitude", 0)
         return [
             f"air: turbidity {asked['turbidity']:g}, an aerosol depth of {depth}, ozone {ozone.column:g} DU",
-            f"ground: albedo {asked['albedo']:g}, {asked.get('altitude', 0):g} m high, {molecules.pressure / 100:.0f} hPa",
+            f"ground: albedo {asked['albedo']:g}, {height:g} m high, {molecules.pressure / 100:.0f} hPa",
         ]
 
 
