@@ -114,6 +114,7 @@ from skydome.skies.daylight_sky import FlatSpectrum as FlatSpectrum
 from skydome.skies.formula.igawa import Igawa as Igawa
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
+from skydome.skies.formula.older.asrc_cie import ASRCCIE as ASRCCIE
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper as BrungerHooper
 from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes as HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata as MatsuuraIwata
@@ -152,6 +153,7 @@ from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
 from skydome.skies.sky import Sky as Sky
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun as AtmosphereSun
+from skydome.skies.suns.gensky_sun import gensky_sun as gensky_sun
 from skydome.skies.suns.preetham_sun import PreethamSun as PreethamSun
 from skydome.skies.suns.sun_disc import SunDisc as SunDisc
 from skydome.skies.uniform import MoonSpencer as MoonSpencer

@@ -87,13 +87,13 @@ def test_the_default_is_the_physical_sky_whose_air_bends_light_itself(facts, whe
 
 EXTRA = {
     "path-traced": ("--paths", 16),
-    "perez-all-weather": ("--dni", 700, "--dhi", 100),
+    **dict.fromkeys(("perez-all-weather", "igawa", "asrc-cie"), ("--dni", 700, "--dhi", 100)),
     "perez": ("--letters", "-1,-0.32,10,-3,0.45", "--illuminance", 12000),
 }
 NAMES = [
     "physical", "hosek-wilkie", "hosek-wilkie-rgb", "preetham", "neural-preetham", "neural-hosek-wilkie",
     "neural-hosek-wilkie-compact", "neural-hosek-wilkie-deep", "neural-hosek-wilkie-spectral", "perez-all-weather",
-    "perez",
+    "igawa", "asrc-cie", "perez",
     *(f"cie-{kind}" for kind in range(1, 16)),
     "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "harrison-coombes", "pokrowski",
     "moon-spencer", "uniform",

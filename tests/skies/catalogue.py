@@ -40,6 +40,10 @@ SKIES = {
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "perez-smooth": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), smooth=True),
+    "asrc-cie": lambda sun, one: sd.ASRCCIE(
+        sun,
+        **dict(zip(("direct_normal_irradiance", "diffuse_horizontal_irradiance"), irradiances(sun, one), strict=True)),
+    ),
     "igawa": lambda sun, one: sd.Igawa(sun, *irradiances(sun, one)),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
     "preetham-authors": lambda sun, one: sd.Preetham(sun, one * 3.2, PreethamNumbers.AUTHORS),

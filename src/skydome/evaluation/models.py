@@ -18,6 +18,7 @@ from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import TAUGHT, clear_air
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.daylight_sky import Daylight
 from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
@@ -150,11 +151,35 @@ def of_numbers(model: Model) -> EvaluatedModel:
     )
 
 
+CLEAR_DAY = {"direct_normal_irradiance": 850.0, "diffuse_horizontal_irradiance": 80.0}
+CLEAR_DAY_LIMITS = {"direct_normal_irradiance": (0.0, 1100.0), "diffuse_horizontal_irradiance": (20.0, 500.0)}
+ILLUMINANCE = {"illuminance": 11_000.0}
+"""Of a clear day's sky, lx."""
+
+
+def of_luminance(model: Model) -> EvaluatedModel:
+    """A sky of luminance alone, in the colours of daylight: from irradiances, or of an illuminance, of a clear day."""
+    kind: Any = model.kind
+    span = {"illuminance": (1_000.0, 40_000.0)}
+    usual, limits = (CLEAR_DAY, CLEAR_DAY_LIMITS) if model.knows_level else (ILLUMINANCE, span)
+    shape = {} if model.knows_level else {n: s for n, s in kind.ranges.items() if n in model.takes}
+    own = {name: kind.__dataclass_fields__[name].default for name in shape}
+
+    def make(sun: np.ndarray, **numbers: float) -> SpectralSky:
+        return Daylight(kind(sun, **model.fixed, **numbers))
+
+    return EvaluatedModel(
+        model.name, make, usual | own, limits | {n: (s.low, s.high) for n, s in shape.items()}, model.failures
+    )
+
+
 def models() -> dict[str, EvaluatedModel]:
     """Every model by name: those of the catalogue that tell their failures, and skies of this study's own airs."""
     evaluated = [model for model in CATALOGUE if model.failures and issubclass(model.kind, SpectralSky)]
+    by_luminance = [model for model in CATALOGUE if model.failures and not issubclass(model.kind, SpectralSky)]
     listed = (
         *(of_air(model) if isinstance(model, AirModel) else of_numbers(model) for model in evaluated),
+        *(of_luminance(model) for model in by_luminance),
         EvaluatedModel(
             "two-lobe-air",
             lambda sun, **numbers: DiscreteOrdinates(sun, two_lobe_air(**numbers)),

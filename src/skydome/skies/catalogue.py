@@ -8,7 +8,9 @@ from difflib import get_close_matches
 
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
+from skydome.skies.formula.igawa import Igawa
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
+from skydome.skies.formula.older.asrc_cie import ASRCCIE
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper
 from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
@@ -37,15 +39,21 @@ from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
 from skydome.skies.uniform import MoonSpencer, Uniform
 
+HAZE = ("sun", "turbidity")
+SHAPE_ALONE = (
+    "knows luminance alone: its colours are daylight's, its level that of irradiances, which were not measured"
+)
+UP_TO_A_FACTOR = "knows luminance alone, up to a factor: its colours are daylight's, its illuminance is given"
+
 
 def cie_model(kind: int) -> Model:
     """A CIE type: overcast up to 5, with the sun from 6 on; 6 is as bright as an overcast sky."""
     return Model(
-        f"cie-{kind}", CIE, fixed={"type": kind}, level=OVERCAST if kind <= 6 else CLEAR, shines=kind > 5
+        f"cie-{kind}", CIE, fixed={"type": kind}, level=OVERCAST if kind <= 6 else CLEAR, shines=kind > 5,
+        failures=UP_TO_A_FACTOR,
     )  # fmt: skip
 
 
-HAZE = ("sun", "turbidity")
 MEASURED = (
     "direct_normal_irradiance", "diffuse_horizontal_irradiance", "extraterrestrial_irradiance", "dew_point", "compat",
     "smooth",
@@ -91,15 +99,17 @@ CATALOGUE: tuple[Model, ...] = (
         ("turbidity", "albedo"),
         {"network": "hosek-wilkie-spectral"},
     ),
-    Model("perez-all-weather", PerezAllWeather, MEASURED, knows_level=True),
+    Model("perez-all-weather", PerezAllWeather, MEASURED, knows_level=True, failures=SHAPE_ALONE),
+    Model("igawa", Igawa, MEASURED[:4], knows_level=True, failures=SHAPE_ALONE),
+    Model("asrc-cie", ASRCCIE, MEASURED[:4], knows_level=True, failures=SHAPE_ALONE),
     Model("perez", Perez, tuple("abcde"), fitted=("sun", *"abcde", "illuminance")),
     *(cie_model(kind) for kind in range(1, 16)),
-    Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance")),
+    Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance"), failures=UP_TO_A_FACTOR),
     Model("cie-intermediate", CIEIntermediate, level=MIDDLE),
-    Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE),
-    Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE),
-    Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE),
-    Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR),
+    Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR, failures=UP_TO_A_FACTOR),
     Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
     Model("uniform", Uniform, level=OVERCAST, shines=False),
     AirModel(
