@@ -1,4 +1,4 @@
-"""Skies and a neural sky on a GPU: maps and batches in torch and JAX, after warm-up, as JSON.
+"""Formulas, a neural sky and the physical sky on a GPU: maps and batches in torch and JAX, after warm-up, as JSON.
 
     PYTHONPATH=src python benchmarks/gpu.py            # a CUDA machine with torch and/or JAX, and NumPy
     PYTHONPATH=src python benchmarks/gpu.py --quick    # small sizes, to try it on any machine
@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 import skydome as sd
+from skydome.light.colour import SRGB
 from skydome.skies.formula.perez_formula import evaluate, view_geometry
 
 TURBIDITY, ALBEDO = 3.0, 0.2
@@ -77,6 +78,32 @@ def network_map(xp: Any, first: Any, start: Any, last: Any, end: Any, rows: Any,
     return xp.stack([xp.where(up > 0, each * each, each * 0) for each in sums], -1)
 
 
+def physical_map(xp: Any, risen: Any, waves: Any, rows: Any, columns: Any, plain: Any, lobes: Any) -> Any:
+    """RGB (H, W, 3) of the physical sky from the table of its sun, black below the horizon.
+
+    `risen` (H / 2, 3 (S + 1), M): cosine series of each row's fields, the last those of higher orders; `waves` (M, W);
+    `rows` (H / 2, 2), `columns` (W,): 1 - cos of the angle to the sun; `plain` (S, 2), `lobes` (S, L, 4): phase
+    functions as `HeldRows.numbers` has them.
+    """
+    fields = xp.matmul(risen, waves)
+    away = rows[:, :1] + rows[:, 1:] * columns
+    square = (1 - away) * (1 - away)
+    total = fields[:, -3:]
+    for k in range(plain.shape[0]):
+        phase = plain[k, 0] + plain[k, 1] * square
+        for a, b, gap, twice in ((lobes[k, n, j] for j in range(4)) for n in range(lobes.shape[1])):
+            spread = gap + twice * away
+            phase = phase + (a + b * square) / (spread * xp.sqrt(spread))
+        total = total + phase[:, None] * fields[:, 3 * k : 3 * k + 3]
+    shown = xp.moveaxis(xp.where(total > 0, total, total * 0), 1, -1)
+    return xp.concatenate([shown, shown * 0], 0)
+
+
+def physical_suns(xp: Any, suns: Any, directions: Any) -> Any:
+    """XYZ (T, D, 3) of T suns toward D directions, by the library's own formula, air and networks included."""
+    return sd.PhysicalSky(suns[:, None], check="clamp").xyz(directions)
+
+
 def batch(xp: Any, letters: Any, suns: Any, directions: Any) -> Any:
     """RGB (T, D, 3) of T skies toward D directions above the horizon: letters (T, 3, 10), suns (T, 3), (D, 3)."""
     x, y, z = (directions[None, :, None, k] for k in range(3))
@@ -116,6 +143,32 @@ def network_truth(height: int, rows: slice) -> np.ndarray:
     """The float64 network on some rows of the map."""
     light = sd.NeuralSky.load("hosek-wilkie", SUN, TURBIDITY).rgb(sd.Equirectangular().directions(height, rows))
     return np.asarray(light)
+
+
+def physical_inputs(height: int) -> tuple[np.ndarray, ...]:
+    """What `physical_map` takes, float64: the table of one sun, its rows and columns."""
+    held = sd.PhysicalSky(SUN).held().rows
+    zenith = np.pi * (np.arange(height // 2) + 0.5) / height
+    azimuth = 2 * np.pi * (np.arange(2 * height) + 0.5) / (2 * height) - np.arctan2(SUN[0], SUN[1])
+    nodes, weights = held.hats(np.cos(zenith))
+    series = np.moveaxis(held.series @ SRGB.from_xyz.T, 1, -1).reshape(len(held.series), -1, held.series.shape[1])
+    risen = np.einsum("rk,rkfm->rfm", weights, series[nodes])
+    waves = np.cos(np.arange(held.series.shape[1])[:, None] * azimuth)
+    rows = np.stack([2 * np.sin((zenith - held.sun) / 2) ** 2, np.sin(zenith) * np.sin(held.sun)], axis=-1)
+    plain, lobes, _, _ = held.numbers()
+    lobes = np.where(np.arange(4) == 2, np.where(lobes[..., 2:3] == 0, 1, lobes), lobes)  # lobes that are not there
+    return risen, waves, rows, 2 * np.sin(azimuth / 2) ** 2, plain, lobes
+
+
+def physical_truth(height: int, rows: slice) -> np.ndarray:
+    """The sky itself on some rows of the map."""
+    return np.asarray(sd.PhysicalSky(SUN).rgb(sd.Equirectangular().directions(height, rows)))
+
+
+def sun_inputs(skies: int, directions: int) -> tuple[np.ndarray, ...]:
+    """Suns (T, 3) above the horizon and directions (D, 3), float64."""
+    _, suns, views = batch_inputs(skies, directions)
+    return suns, views
 
 
 def batch_inputs(skies: int, directions: int) -> tuple[np.ndarray, ...]:
@@ -241,6 +294,13 @@ def jobs(
             two, numbers = f"{form} network {2 * height}x{height}", inputs(network_inputs(height))
             truth = network_truth(height, rows)
             results[two] = attempt(make(network_map), numbers, wait, repeats, rows, truth)
+            three, table = f"{form} physical {2 * height}x{height}", inputs(physical_inputs(height))
+            results[three] = attempt(make(physical_map), table, wait, repeats, rows, physical_truth(height, rows))
+        suns, views = sun_inputs(max(2, shape[0] // 10), 145)
+        truth = np.asarray(sd.PhysicalSky(suns[:2, None]).xyz(views))
+        results[f"{form} physical {len(suns)} suns x 145 XYZ"] = attempt(
+            make(physical_suns), inputs((suns, views)), wait, max(3, repeats // 10), slice(0, 2), truth
+        )
         arrays = batch_inputs(*shape)
         some = slice(0, 4)
         truth = batch_truth(arrays[0][some], arrays[1][some], arrays[2])

@@ -16,7 +16,7 @@ import numpy as np
 import skydome as sd
 from skydome.skies.all_air.sky import NODES, TERMS, PhysicalSky, series_of
 from skydome.skies.catalogue import model_named
-from skydome.skies.physical.cosine_series import LEAST_COSINE
+from skydome.skies.physical.cosine_series import LEAST_COSINE, view_nodes
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "physical.json"
 SPANS = (
@@ -37,7 +37,9 @@ def rest_series(sky: PhysicalSky) -> np.ndarray:
     turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
     lit = sky.at(NODES).single()
     rest = sky.rest.radiance(lit.numbers, np.float32(sky.sun[2]), lambda network: network.at_nodes(turns))
-    series: np.ndarray = series_of(rest[None] @ sky.colours())[:, :, 0]
+    view = np.asarray(view_nodes(TERMS))[:, None]
+    colours = sky.colours().of_light(rest[None], lit.gases, np.float32(sky.sun[2]), view)
+    series: np.ndarray = series_of(colours)[:, :, 0]
     return series
 
 

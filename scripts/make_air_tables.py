@@ -1,5 +1,5 @@
 # ruff: noqa: E501
-"""Make the tables of the air: the sun above the air, ozone, Rayleigh scattering, grass.
+"""Make the tables of the air: the sun above the air, ozone, gases, Rayleigh scattering, grass.
 
 Run: python scripts/make_air_tables.py
 """
@@ -34,13 +34,17 @@ def sun():
     from pvlib.spectrum import get_reference_spectra
 
     table = get_reference_spectra(standard="ASTM G173-03")["extraterrestrial"]
-    knots = np.arange(290.0, 1101.0, 5.0)
-    values = hat_means(knots, table.index.to_numpy(), table.to_numpy(), 5.0)
+    spans = (np.arange(290.0, 1101.0, 5.0), np.arange(1110.0, 2501.0, 10.0), np.arange(2550.0, 3951.0, 50.0))
+    knots = np.concatenate(spans)
+    known, light = table.index.to_numpy(), table.to_numpy()
+    values = np.concatenate(
+        [hat_means(span, known, light, width) for span, width in zip(spans, (5, 10, 50), strict=True)]
+    )
     write(
         "solar_astm_g173",
         [
             "Solar spectral irradiance above the air at 1 AU, W m-2 nm-1: ASTM G173-03, extraterrestrial column (Gueymard),",
-            "as pvlib carries it; mean under a triangle of 5 nm half width about each wavelength.",
+            "as pvlib carries it; mean under a triangle about each wavelength of 5 nm half width, 10 beyond 1100 nm, 50 beyond 2500.",
             "Made by scripts/make_air_tables.py.",
         ],
         "wavelength_nm,irradiance",
@@ -65,6 +69,21 @@ def ozone():
         ],
         "wavelength_nm,cross_section",
         np.concatenate([short, long]),
+    )
+
+
+def gases():
+    from pvlib.spectrum.spectrl2 import _SPECTRL2_COEFFS as SPECTRL2
+
+    write(
+        "spectrl2_gases",
+        [
+            "Absorption of water vapour, cm-1, and of the uniformly mixed gases by wavelength: Bird and Riordan 1986 (SPECTRL2),",
+            "table 2-2, after Leckner 1978; a figure for each band of lines, as pvlib (BSD-3-Clause) carries it.",
+            "Made by scripts/make_air_tables.py.",
+        ],
+        "wavelength_nm,water,mixed",
+        np.stack([SPECTRL2[k] for k in ("wavelength", "water_vapor_absorption", "mixed_absorption")], axis=-1),
     )
 
 
@@ -99,4 +118,5 @@ def penndorf_and_grass():
 if __name__ == "__main__":
     sun()
     ozone()
+    gases()
     penndorf_and_grass()

@@ -136,6 +136,16 @@ KERNEL_PAIRS = (
         "skies/path_tracing/test_many_suns.py::test_many_suns_agree_with_next_event_estimation",
     ),
     Pair(
+        "skies.physical.precomputed.grid:views",
+        "skies.physical.precomputed.lookup_kernel:add_scattering",
+        "skies/physical/precomputed/test_precomputed.py::test_a_table_gives_its_own_values_at_its_nodes",
+    ),
+    Pair(
+        "skies.physical.nishita:scattered_once",
+        "skies.physical.precomputed.orders_kernel:scatter_once",
+        "skies/physical/precomputed/test_precomputed.py::test_light_scattered_once_is_that_by_quadrature",
+    ),
+    Pair(
         "skies.all_air.single_scattering:lit_rays",
         "skies.all_air.single_kernel:strengths",
         "skies/all_air/test_many_suns.py::test_compiled_rays",

@@ -30,13 +30,17 @@ def grey(sky):
     return sd.Daylight(sky, OVERCAST_BLUE)
 
 
+def physical(sun, turbidity):
+    return sd.PhysicalSky(sun, sd.Atmosphere.from_turbidity(turbidity)).held()
+
+
 def skies(sun):
     """Heading -> [(label, sky)] of a row."""
     level = {"zenith_luminance": sd.HosekWilkie(sun, 4.0).luminance(sd.ZENITH)}
     return {
+        "Physical": [(f"T = {t:g}", physical(sun, t)) for t in TURBIDITIES],
         "Preetham": [(f"T = {t:g}", sd.Preetham(sun, t)) for t in TURBIDITIES],
-        "Hosek-Wilkie (XYZ)": [(f"T = {t:g}", sd.HosekWilkie(sun, t)) for t in TURBIDITIES],
-        "Hosek-Wilkie RGB": [(f"T = {t:g}", sd.HosekWilkieRGB(sun, t)) for t in TURBIDITIES],
+        "Hosek-Wilkie": [(f"T = {t:g}", sd.HosekWilkie(sun, t)) for t in TURBIDITIES],
         "luminance only": [
             ("CIE 12", grey(sd.CIE(sun, 12, **level))),
             ("Perez", grey(sd.Perez(sun, *CLEAR_LETTERS, **level))),
@@ -87,7 +91,7 @@ def skies_picture():
 def panorama(elevation, azimuth, turbidity, height=512, ground=56):
     """The sky all round, north at the left edge, with some ground and the compass below."""
     sun = sky_toward(elevation, azimuth)
-    sky = sd.HosekWilkie(sun, turbidity, albedo=0.2)
+    sky = physical(sun, turbidity)
     seen = preview(sd.render(sky + sd.SunDisc.of(sky), 2 * height, ground_albedo=0.2))
     linear = np.where(seen <= 0.04045, seen / 12.92, ((seen + 0.055) / 1.055) ** 2.4)
     small = linear.reshape(height, 2, 2 * height, 2, 3).mean(axis=(1, 3))

@@ -112,7 +112,7 @@ def test_brunetons_air_has_his_depths():
         (lambda: Atmosphere(radius=0.0), "radius must lie in"),
         (lambda: Atmosphere.from_turbidity(0.5), r"turbidity must lie in \[1, 64\], got 0.5"),
         (lambda: Aerosol(Spectrum([400.0, 500.0], [0.1, -0.1])), "optical_depth must lie in"),
-        (lambda: solar_irradiance([200.0]), r"wavelengths must lie in \[290, 1100\] nm"),
+        (lambda: solar_irradiance([200.0]), r"wavelengths must lie in \[290, 3950\] nm"),
     ],
 )
 def test_air_that_cannot_be_is_refused(call, message):

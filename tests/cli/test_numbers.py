@@ -87,13 +87,13 @@ def test_the_default_is_the_physical_sky_whose_air_bends_light_itself(facts, whe
 
 EXTRA = {
     "path-traced": ("--paths", 16),
-    "perez-all-weather": ("--dni", 700, "--dhi", 100),
+    **dict.fromkeys(("perez-all-weather", "igawa", "asrc-cie"), ("--dni", 700, "--dhi", 100)),
     "perez": ("--letters", "-1,-0.32,10,-3,0.45", "--illuminance", 12000),
 }
 NAMES = [
     "physical", "hosek-wilkie", "hosek-wilkie-rgb", "preetham", "neural-preetham", "neural-hosek-wilkie",
     "neural-hosek-wilkie-compact", "neural-hosek-wilkie-deep", "neural-hosek-wilkie-spectral", "perez-all-weather",
-    "perez",
+    "igawa", "asrc-cie", "perez",
     *(f"cie-{kind}" for kind in range(1, 16)),
     "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "harrison-coombes", "pokrowski",
     "moon-spencer", "uniform",
@@ -206,3 +206,20 @@ def test_colour_by_a_named_rule(facts, refused):
     assert "knows its own colour" in refused("light", "--sun", "180,30", "--model", "preetham", "--colour", "luminance")
     assert "a model that knows colour" in refused(*asked, "--colour", "uniform")
     assert "one of them" in refused(*asked, "--colour", "luminance", "--chromaticity", "0.3,0.3")
+
+
+def test_visibility_is_the_other_way_to_say_turbidity(facts, when, refused):
+    """20 km are turbidity 3.3 by Preetham's Figure 3; both together, and more than clean air allows, are refused."""
+    turbidity = 3.3005727891589816
+    seen, hazed = (
+        facts("light", *when, "--model", "preetham", *words)
+        for words in (("--visibility", "20km"), ("--turbidity", turbidity))
+    )
+    assert seen["zenith_luminance_cd_m2"] == pytest.approx(hazed["zenith_luminance_cd_m2"], rel=1e-12)
+    assert "haze: one sees 20 km, turbidity 3.3" in seen["notes"]
+    for words, message in (
+        (("--visibility", "20km", "--turbidity", "3"), "give one of them"),
+        (("--visibility", "400km"), "meteorological range"),
+        (("--visibility", "far"), "such as 20km"),
+    ):
+        assert message in refused("light", *when, "--model", "preetham", *words)

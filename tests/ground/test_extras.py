@@ -31,7 +31,9 @@ def brought(extra):
     for package in EXTRAS[extra]:
         inner = re.match(r"skydome\[(.*)\]", package)
         names |= (
-            set().union(*(brought(each) for each in inner[1].split(","))) if inner else {re.split("[><=]", package)[0]}
+            set().union(*(brought(each) for each in inner[1].split(",")))
+            if inner
+            else {re.split("[><=]", package)[0].replace("-", "_")}
         )
     return names
 

@@ -435,3 +435,13 @@ def test_one_density_is_exact_on_level_rays_and_by_quadrature_of_its_own():
     level = Ray.at(distance, cosine * 0, np.array(500.0))
     for own, exact in zip(HoffmanPreetham().integrals(level, air), FewNodes(12).integrals(level, air), strict=True):
         np.testing.assert_allclose(own, exact, rtol=1e-9)
+
+
+def test_preethams_light_reaches_as_far_as_table_2():
+    """380-780 nm under sky and sun, as smooth beyond 720 nm, where the published limb darkening ends, as before it."""
+    sky = sd.Preetham(SUN, 4.0) + sd.PreethamSun(SUN, 4.0)
+    light = aerial_perspective(sky, 8000.0, sd.WEST, wavelengths=np.arange(700.0, 781.0, 10.0)).inscattered
+    assert (light > 0).all()
+    disc = sd.PreethamSun(SUN, 4.0)
+    own = disc.irradiance([770.0, 780.0]) / sd.ClearAir(4.0).irradiance(SUN, [770.0, 780.0])
+    np.testing.assert_allclose(own, own[0], rtol=1e-9)

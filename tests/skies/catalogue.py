@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import skydome as sd
+from skydome.skies.all_air.spectral_nodes import NODES
+from skydome.skies.physical.precomputed.grid import SMALL
 from skydome.skies.physical.refitted import Refitted
 from skydome.skies.preetham import PreethamNumbers
 
@@ -38,6 +40,10 @@ SKIES = {
     "perez-all-weather": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one)),
     "perez-gendaylit": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), compat="gendaylit"),
     "perez-smooth": lambda sun, one: sd.PerezAllWeather(sun, *irradiances(sun, one), smooth=True),
+    "asrc-cie": lambda sun, one: sd.ASRCCIE(
+        sun,
+        **dict(zip(("direct_normal_irradiance", "diffuse_horizontal_irradiance"), irradiances(sun, one), strict=True)),
+    ),
     "igawa": lambda sun, one: sd.Igawa(sun, *irradiances(sun, one)),
     "preetham": lambda sun, one: sd.Preetham(sun, one * 3.2),
     "preetham-authors": lambda sun, one: sd.Preetham(sun, one * 3.2, PreethamNumbers.AUTHORS),
@@ -116,6 +122,7 @@ def scan_of(sky, time=0.0):
     return Scan(views, np.broadcast_to(sd.SOUTH, views.shape), np.asarray(sky.rgb(views)), time)
 
 
+TABLES = sd.ScatteringTables.of(AIR, NODES, 2, SMALL)
 PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 
 PHYSICAL = {
@@ -128,6 +135,7 @@ PHYSICAL = {
     "refitted": lambda sun: Refitted(sun, numbers()),
     "path-traced": lambda sun: sd.PathTraced(sun, AIR, relative_error=0.5),
     "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
+    "precomputed": lambda sun: sd.PrecomputedScattering.by(TABLES, sun),
     "physical-sky": lambda sun: sd.PhysicalSky(sun, sd.clear_air(0.15)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
     "atmosphere-sun": lambda sun: sd.AtmosphereSun(sun, AIR),
@@ -144,6 +152,7 @@ TWILIGHT = (
     "mars",
     "path-traced",
     "held",
+    "precomputed",
     "physical-sky",
     "physical",
     "prague",

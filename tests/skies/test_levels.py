@@ -201,13 +201,14 @@ def test_what_the_layers_of_discrete_ordinates_cost(monkeypatch, zenith, rms):
 def test_gas_bands_that_the_air_lacks_are_told():
     from skydome.air.atmosphere import MissingBands
 
-    sky = sd.Nishita93(SUN)
+    sky = sd.Nishita93(SUN, sd.Atmosphere.of_aerosol(sd.Aerosol(0.1), gases=None))
     with pytest.warns(MissingBands, match="oxygen band at 761 nm, water band at 940 nm"):
         sky.radiance(sd.ZENITH, [550.0, 761.0, 940.0])
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         sky.radiance(sd.ZENITH, [450.0, 550.0, 780.0])
         sky.xyz(sd.ZENITH)
+        sd.Nishita93(SUN).radiance(sd.ZENITH, [761.0, 940.0, 2000.0])
         sd.Nishita93(SUN, sd.Atmosphere.mars()).radiance(sd.ZENITH, [761.0])
 
 

@@ -15,5 +15,6 @@
 - optical_mass        How much air a ray from the sun crosses, in units of the vertical
 - scattering          How strongly gas and haze at the ground scatter light, by wavelength and angle
 - transmittance       Sunlight through clear air: what each constituent lets pass at each wavelength
+- gases/              Gases whose bands of lines saturate: water vapour, oxygen, carbon dioxide
 - mars                The air of Mars: thin carbon dioxide and much dust, each number with its source
 """

@@ -1,6 +1,5 @@
 """An atmosphere: constituents in spherical shells over a ground, lit by a sun."""
 
-import warnings
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
@@ -10,9 +9,11 @@ from numpy.typing import ArrayLike
 from skydome.air import mars
 from skydome.air.constituents import Aerosol, Constituent, Molecules, at
 from skydome.air.cross_sections import STANDARD_PRESSURE, solar_irradiance
+from skydome.air.gases.gases import STANDARD_WATER, Gases
+from skydome.air.gases.missing import MissingBands, tell_missing_bands
 from skydome.air.named_airs import BACKGROUND_DEPTH, CONTINENTAL, PREETHAM_HAZE, NamedAirs, usual
 from skydome.air.phase_laws import CornetteShanks, HenyeyGreenstein, PhaseLaw
-from skydome.air.profiles import Exponential
+from skydome.air.profiles import Exponential, Profile
 from skydome.ground.arrays import Array
 from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
@@ -28,21 +29,6 @@ def grass() -> Spectrum:
     """The spectral albedo of grass, 360-800 nm (Feister and Grewe 1995)."""
     table = columns("grass_albedo")
     return Spectrum(table["wavelength_nm"], table["albedo"])
-
-
-GAS_BANDS = (
-    ("oxygen band at 687 nm", 686.0, 695.0),
-    ("water band at 720 nm", 714.0, 736.0),
-    ("oxygen band at 761 nm", 758.0, 771.0),
-    ("water band at 820 nm", 810.0, 838.0),
-    ("water band at 940 nm", 890.0, 1000.0),
-    ("gas beyond 1080 nm", 1080.0, float("inf")),
-)
-"""Absorption of gases that `Atmosphere` leaves out, by name, from and to, nm (told by the measured sky of 2013)."""
-
-
-class MissingBands(UserWarning):
-    """Light is asked for where the real air absorbs by gases that the air here does not have."""
 
 
 USUAL_ALBEDO = 0.2
@@ -65,7 +51,8 @@ class Atmosphere(NamedAirs, Bounded):
     """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
 
     `height` is the top of the air above the ground, m. `sunlight`: a `Spectrum` of the irradiance above the air,
-    W m-2 nm-1 (None: ASTM G173-03), times `sun_scale`.
+    W m-2 nm-1 (None: ASTM G173-03), times `sun_scale`. `gases`: what absorbs by bands of lines, water, oxygen;
+    the constructors of the earth's air give them, None is none.
 
     >>> air = Atmosphere.standard(aerosol_depth=0.06)
     >>> air.depth([550.0]).round(3).tolist()
@@ -78,6 +65,7 @@ class Atmosphere(NamedAirs, Bounded):
     height: float = 100_000.0
     sunlight: Spectrum | None = None
     sun_scale: float = 1.0
+    gases: Gases | None = None
     bounds: ClassVar = {
         "albedo": SHARE,
         "radius": Range(1.0, 1e12, "m"),
@@ -85,7 +73,11 @@ class Atmosphere(NamedAirs, Bounded):
         "sunlight": NOT_NEGATIVE,
         "sun_scale": Range(0.0, 1e9),
     }
-    kinds: ClassVar = {"constituents": (tuple, "(Molecules(), Aerosol(0.1))"), "sunlight": (Spectrum | None, "None")}
+    kinds: ClassVar = {
+        "constituents": (tuple, "(Molecules(), Aerosol(0.1))"),
+        "sunlight": (Spectrum | None, "None"),
+        "gases": (Gases | None, "Gases(water=1.42)"),
+    }
 
     def __post_init__(self) -> None:
         self.require_bounds()
@@ -105,8 +97,9 @@ class Atmosphere(NamedAirs, Bounded):
         sun_scale: float = 1.0,
         angstrom: Any = 1.3,
         stratospheric_depth: Any = BACKGROUND_DEPTH,
+        water: Any = STANDARD_WATER,
     ) -> "Atmosphere":
-        """Clear air of the earth, its aerosol of so much depth at 550 nm, with `ozone` in Dobson units.
+        """Clear air of the earth, its aerosol of so much depth at 550 nm, `ozone` in Dobson units, `water` in cm.
 
         Molecules as in the US Standard Atmosphere 1976; aerosol of a scale height of 1.5 km, of which
         `stratospheric_depth` lies at 12-28 km. `phase` replaces the one Henyey-Greenstein lobe of `asymmetry`. Numbers
@@ -114,12 +107,13 @@ class Atmosphere(NamedAirs, Bounded):
         """
         law = HenyeyGreenstein((asymmetry,)) if phase is None else phase
         aerosol = Aerosol(aerosol_depth, angstrom, aerosol_albedo, law)
-        sky = {"pressure": pressure, "ozone": ozone, "stratospheric_depth": stratospheric_depth}
+        sky = {"pressure": pressure, "ozone": ozone, "stratospheric_depth": stratospheric_depth, "water": water}
         air: Atmosphere = cls.of_aerosol(aerosol, **sky, albedo=albedo, sun_scale=sun_scale)
         return air
 
     def at_altitude(self, altitude: float) -> "Atmosphere":
-        """The same air over ground so many metres above the sea, such as `Place.altitude`: molecules weigh less there.
+        """The same air over ground so many metres above the sea, such as `Place.altitude`: gases weigh less there, but
+        for water vapour, which like the aerosol is what lies above that ground.
 
         >>> Atmosphere.standard().at_altitude(2635.0).depth([550.0]).round(3).tolist()
         [0.199]
@@ -129,7 +123,8 @@ class Atmosphere(NamedAirs, Bounded):
             replace(part, pressure=part.pressure * share) if isinstance(part, Molecules) else part
             for part in self.constituents
         )
-        return replace(self, constituents=tuple(parts))
+        gases = None if self.gases is None else self.gases.under(share)
+        return replace(self, constituents=tuple(parts), gases=gases)
 
     @classmethod
     def bruneton2016(cls) -> "Atmosphere":
@@ -176,14 +171,8 @@ class Atmosphere(NamedAirs, Bounded):
 
     def tell_missing_bands(self, wavelengths: ArrayLike) -> None:
         """`MissingBands`, a warning, where light is asked for in bands of gases that the earth's air here lacks."""
-        w = np.ravel(wavelengths)
-        met = [name for name, low, high in GAS_BANDS if ((w >= low) & (w <= high)).any()]
-        if met and abs(self.radius / EARTH_RADIUS - 1) < 0.01:
-            warnings.warn(
-                f"the air has no {', '.join(met)}: there the sky comes out too bright (761 nm by 73 %, 940 nm by 56 %)",
-                MissingBands,
-                stacklevel=4,
-            )
+        if self.gases is None and abs(self.radius / EARTH_RADIUS - 1) < 0.01:
+            tell_missing_bands(wavelengths)
 
     def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
@@ -195,17 +184,26 @@ class Atmosphere(NamedAirs, Bounded):
         [1.0]
         """
         result: np.ndarray = np.exp(-self.slant_depths(cos_zenith, wavelengths))
-        return result
+        if self.gases is None:
+            return result
+        water, mixed = (self.slant_column(profile, cos_zenith) for profile in self.gases.profiles)
+        return np.asarray(result * self.gases.transmittance(water, mixed, wavelengths))
 
     def slant_depths(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
-        """Optical depth of a straight ray from the ground to space, (..., W)."""
+        """Optical depth of the constituents on a straight ray from the ground to space, (..., W)."""
+        parts = [
+            self.slant_column(part.profile, cos_zenith)[..., None] * part.depth(wavelengths)
+            for part in self.constituents
+        ]
+        total: np.ndarray = np.sum(parts, axis=0)
+        return total
+
+    def slant_column(self, profile: Profile, cos_zenith: ArrayLike) -> np.ndarray:
+        """Vertical columns of a profile on a straight ray from the ground to space, (...,)."""
         t, w = gauss_legendre(200)
         heights, steps = self.height * t**3, self.height * 3 * t * t * w
         cosine = np.asarray(cos_zenith, dtype=np.float64)[..., None]
         sine_square = (1 - cosine**2) * (self.radius / (self.radius + heights)) ** 2
         paths = steps / np.sqrt(np.maximum(1 - sine_square, 1e-300))
-        parts = [
-            (paths @ part.profile.density(heights))[..., None] * part.depth(wavelengths) for part in self.constituents
-        ]
-        total: np.ndarray = np.sum(parts, axis=0)
-        return total
+        column: np.ndarray = paths @ profile.density(heights)
+        return column

@@ -89,20 +89,25 @@ def carbon_dioxide_cross_section(wavelengths: ArrayLike) -> Array:
 
 
 def ozone_cross_section(wavelengths: ArrayLike) -> Array:
-    """Absorption cross section of a molecule of ozone, m2, shape (W,); the ends of 300-835 nm are held.
+    """Absorption cross section of a molecule of ozone, m2, shape (W,); 0 beyond 835 nm.
 
-    The logarithm is linear between the samples: the Huggins bands fall by a factor of 1000 in 40 nm.
+    The logarithm is linear between the samples (the Huggins bands fall by a factor of 1000 in 40 nm), and below 300 nm
+    goes on as it does from 305 to 300 nm.
     """
     table = columns("ozone_cross_section")
-    values = np.interp(checked_wavelengths(wavelengths), table["wavelength_nm"], np.log(table["cross_section"]))
-    result: np.ndarray = np.exp(values)
+    w, known = checked_wavelengths(wavelengths), table["wavelength_nm"]
+    logarithm = np.log(table["cross_section"])
+    beyond = np.minimum(w - known[0], 0.0) * (logarithm[1] - logarithm[0]) / (known[1] - known[0])
+    values = np.interp(w, known, logarithm) + beyond
+    result: np.ndarray = np.where(w <= known[-1], np.exp(values), 0.0)
     return result
 
 
 def solar_irradiance(wavelengths: ArrayLike) -> Array:
-    """Irradiance of the sun above the air at 1 AU, W m-2 nm-1, shape (W,); ASTM G173-03 smoothed to 5 nm.
+    """Irradiance of the sun above the air at 1 AU, W m-2 nm-1, shape (W,); ASTM G173-03 smoothed to 5 nm,
+    to 10 nm beyond 1100 nm and to 50 nm beyond 2500 nm.
 
-    ValueError outside 290-1100 nm.
+    ValueError outside 290-3950 nm.
 
     >>> solar_irradiance([550.0]).round(3).tolist()
     [1.865]

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone
 from skydome.air.cross_sections import STANDARD_PRESSURE, rayleigh_depth
+from skydome.air.gases.gases import STANDARD_WATER, Gases
 from skydome.air.phase_laws import Haze, HenyeyGreenstein
 from skydome.air.profiles import STRATOSPHERIC_LAYER, Exponential
 from skydome.air.turbidity import from_linke, from_meteorological_range
@@ -92,11 +93,13 @@ class NamedAirs:
         pressure: Any = STANDARD_PRESSURE,
         ozone: Any = 330.0,
         stratospheric_depth: Any = BACKGROUND_DEPTH,
+        water: Any = STANDARD_WATER,
         **others: Any,
     ) -> Any:
-        """Air of the US Standard Atmosphere 1976, Dobson units of ozone, and an aerosol.
+        """Air of the US Standard Atmosphere 1976, Dobson units of ozone, cm of precipitable water, and an aerosol.
 
         `stratospheric_depth` of the aerosol's depth at 550 nm lies in the stratosphere; `others` as in `Atmosphere`.
+        `gases=None` leaves water vapour, oxygen and carbon dioxide out.
 
         >>> import skydome as sd
         >>> air = sd.Atmosphere.of_aerosol(sd.Aerosol(0.1), pressure=80_000.0, albedo=0.3)
@@ -105,7 +108,7 @@ class NamedAirs:
         """
         low, *high = shared_out(aerosol, stratospheric_depth)
         parts: tuple[Constituent, ...] = (Molecules(pressure), low, Ozone(ozone), *high)
-        return cls(parts, **others)  # type: ignore[call-arg]
+        return cls(parts, **({"gases": Gases(water, pressure)} | others))  # type: ignore[call-arg]
 
     @classmethod
     def of_kind(cls, kind: AerosolKind, aerosol_depth: Any = None, **others: Any) -> Any:

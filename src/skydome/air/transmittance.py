@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.air.gases.bands import MIXED, WATER
 from skydome.air.optical_mass import kasten_1966
 from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.directions import zenith_angle
@@ -65,25 +66,18 @@ def ozone_transmittance(wavelengths: ArrayLike, mass: Array, ozone: ArrayLike = 
 
 def mixed_gas_transmittance(wavelengths: ArrayLike, mass: Array) -> Array:
     """Share of a beam that oxygen and the other well-mixed gases leave, shape (..., W) (A.1)."""
-    return saturating(1.41, 118.93, table_at("k_g", wavelengths), mass)
+    return MIXED.transmittance(table_at("k_g", wavelengths), mass)
 
 
 def water_transmittance(wavelengths: ArrayLike, mass: Array, water: ArrayLike = 0.02) -> Array:
     """Share of a beam that passes precipitable `water`, m, shape (..., W) (A.1)."""
-    return saturating(0.2385, 20.07, table_at("k_wa", wavelengths), mass * water)
+    return WATER.transmittance(table_at("k_wa", wavelengths), mass * water)
 
 
 def beer(depth: np.ndarray, amount: Array) -> Array:
     """exp(-depth amount) of a vertical optical depth (W,), shape (..., W)."""
     amount = floating(amount)
     return namespace(amount).exp(-amount[..., None] * constant(depth, amount))
-
-
-def saturating(strength: float, crowding: float, absorption: np.ndarray, amount: Array) -> Array:
-    """exp(-strength k a / (1 + crowding k a)^0.45): bands of lines that saturate, shape (..., W) (A.1)."""
-    amount = floating(amount)
-    product = amount[..., None] * constant(absorption, amount)
-    return namespace(amount).exp(-strength * product / (1 + crowding * product) ** 0.45)
 
 
 def angstrom_beta(turbidity: Array) -> Array:

@@ -2,6 +2,7 @@
 
 - main              The command `skydome`. Commands import what they need when they run, so that help is quick
 - options           What the commands ask for, each option written once
+- quantities        Quantities as people write them: 20km, 0.5%
 - moment            The place, time and sun that the options ask for
 - models            The sky models by name, which class, which options it takes, its usual level
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user

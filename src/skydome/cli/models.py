@@ -1,9 +1,11 @@
 """From the options to a sky of the catalogue: which of them are its parameters, its level, what is said of choices."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.doors import progress
-from skydome.cli.options import SkyOptions, numbers, option_name, relative_error, set_by_name
+from skydome.cli.options import SkyOptions, numbers, option_name, set_by_name
+from skydome.cli.quantities import relative_error
 
 if TYPE_CHECKING:
     from skydome.cli.moment import Moment
@@ -15,7 +17,7 @@ LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
     "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
-    "tables", "until", "paths",
+    "tables", "until", "paths", "visibility",
 )  # fmt: skip
 
 
@@ -24,6 +26,24 @@ def turbidity_of(options: SkyOptions) -> float:
     from skydome.skies.model import USUAL
 
     return USUAL["turbidity"] if options.turbidity is None else options.turbidity
+
+
+def hazed(model: "Model", options: SkyOptions) -> tuple[SkyOptions, list[str]]:
+    """The options with the turbidity of a --visibility, and what to say of it; as they are where the model takes that.
+
+    ValueError for both, or for more than clean air allows.
+    """
+    if options.visibility is None or "visibility" in model.takes:
+        return options, []
+    if options.turbidity is not None:
+        raise ValueError("--visibility is the other way to say --turbidity: give one of them")
+    import numpy as np
+
+    from skydome.air.turbidity import from_meteorological_range
+
+    turbidity = float(from_meteorological_range(np.asarray(options.visibility)))
+    note = f"haze: one sees {options.visibility / 1000:g} km, turbidity {turbidity:.3g}"
+    return replace(options, visibility=None, turbidity=turbidity), [note]
 
 
 def refuse_what_it_does_not_take(model: "Model", options: SkyOptions) -> None:

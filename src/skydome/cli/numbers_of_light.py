@@ -35,10 +35,30 @@ def light_facts(scene: Scene) -> dict[str, Any]:
             "global": float(diffuse[1] + direct[1]),
             "direct_normal": normal,
         },
+        **energy_facts(scene),
         "colour_temperature_K": {name: float(sd.colour_temperature(xyz)) for name, xyz in colours.items()},
         "duv": {name: float(sd.duv(xyz)) for name, xyz in colours.items()},
         "notes": list(scene.notes),
     }
+
+
+def energy_facts(scene: Scene) -> dict[str, Any]:
+    """Broadband irradiance, UV index and photons for plants, of skies that know them and air that was taught."""
+    import skydome as sd
+    from skydome.dome.energy import knows_energy
+
+    if not knows_energy(scene.whole):
+        return {}
+    light = sd.broadband(scene.whole)
+    irradiance = {"diffuse": light.diffuse_horizontal, "direct": light.direct_horizontal}
+    irradiance |= {"global": light.global_horizontal, "direct_normal": light.direct_normal}
+    facts: dict[str, Any] = {"irradiance_W_m2": {name: float(value) for name, value in irradiance.items()}}
+    facts["photosynthetic_photons_umol_m2_s"] = float(sd.photosynthetic_photon_flux(scene.whole))
+    try:
+        facts["uv_index"] = float(sd.uv_index(scene.whole))
+    except ValueError:  # air too hazy in the ultraviolet for what was taught
+        facts["uv_index"] = None
+    return facts
 
 
 def require_light(scene: Scene, light: dict[str, Any]) -> None:
@@ -76,11 +96,25 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         "diffuse horizontal": f"{light['diffuse']:,.0f} lx",
         "direct horizontal": f"{light['direct']:,.0f} lx ({light['direct_normal']:,.0f} lx facing the sun)",
         "global horizontal": f"{light['global']:,.0f} lx",
+        **energy_rows(facts),
         "colour temperature": ", ".join(
             f"{name} {kelvin(value)}" for name, value in facts["colour_temperature_K"].items()
         ),
     }
     return rows | notes_row(facts["notes"])
+
+
+def energy_rows(facts: dict[str, Any]) -> dict[str, str]:
+    """Broadband irradiance and the like, for people."""
+    if "irradiance_W_m2" not in facts:
+        return {}
+    power, index = facts["irradiance_W_m2"], facts["uv_index"]
+    return {
+        "irradiance": f"global {power['global']:,.0f}, diffuse {power['diffuse']:,.0f}, "
+        f"direct normal {power['direct_normal']:,.0f} W m-2",
+        "UV index": "none: haze deeper than was taught" if index is None else f"{index:.1f}",
+        "photons for plants": f"{facts['photosynthetic_photons_umol_m2_s']:,.0f} umol m-2 s-1",
+    }
 
 
 def sky_rows(facts: dict[str, Any]) -> dict[str, str]:

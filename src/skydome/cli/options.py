@@ -11,6 +11,8 @@ from typing import Annotated, Any, get_type_hints
 
 from typer import Option
 
+from skydome.cli.quantities import metres_from
+
 WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
 
 AsJson = Annotated[bool, Option("--json", help="Write JSON to stdout instead of a table.")]
@@ -61,6 +63,10 @@ class SkyOptions(SunOptions):
     model: ModelName = "physical"
     turbidity: Annotated[
         float | None, Option(help="Haze: 2 very clear, 3 clear, 6 hazy. [default: 3]", rich_help_panel=AIR)
+    ] = None
+    visibility: Annotated[
+        float | None,
+        Option(parser=metres_from, metavar="20km", help="How far one sees, instead of haze.", rich_help_panel=AIR),
     ] = None
     albedo: Annotated[float | None, Option(help="Ground reflectance, 0-1. [default: 0.2]", rich_help_panel=AIR)] = None
     altitude: Annotated[
@@ -214,21 +220,6 @@ def set_by_name(texts: "list[str] | None") -> dict[str, float]:
             raise ValueError(f"--set must be NAME=NUMBER such as glow=8, got {text!r}")
         found[name] = numbers(value, 1, f"--set {name}", f"{name}=8")[0]
     return found
-
-
-def relative_error(text: str) -> float:
-    """The error of --until as a fraction; ValueError unless in (0, 50 %].
-
-    >>> relative_error("0.5%"), relative_error("0.02")
-    (0.005, 0.02)
-    """
-    try:
-        value = float(text[:-1]) / 100 if text.endswith("%") else float(text)
-    except ValueError:
-        value = float("nan")
-    if not 1e-6 <= value <= 0.5:
-        raise ValueError(f"--until must be an error in (0, 50%] such as 1% or 0.01, got {text!r}")
-    return value
 
 
 def numbers(text: str, count: int, option: str, example: str) -> tuple[float, ...]:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.models import build, turbidity_of
+from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_twilight
 from skydome.cli.options import SkyOptions, numbers
 
@@ -37,13 +37,14 @@ def scene_of(options: SkyOptions, north: float = 0.0) -> Scene:
     from skydome.skies.catalogue import model_named
 
     model = model_named(options.model)
+    options, haze = hazed(model, options)
     true = moment_for(model, options)
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)
     coloured, more = in_colour(sky, moment, options)
     disc, last = disc_for(model, coloured, moment, options)
     disc, size = of_size(disc, options.sun_size)
-    notes += more + last + size
+    notes = haze + notes + more + last + size
     overcast = None
     if options.blend_overcast is not None:
         overcast, note = overcast_for(moment, options)

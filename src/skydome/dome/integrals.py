@@ -14,6 +14,7 @@ from skydome.light.spectrum import Spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
+from skydome.skies.suns.point_lights import PointLights
 from skydome.skies.suns.sun_disc import SunDisc
 
 RINGS, COLUMNS = 96, 192
@@ -39,6 +40,17 @@ def discs_and_rest(sky: Sky) -> tuple[list[tuple[SunDisc, Any]], list[Sky]]:
         else:
             rest.append(part)
     return discs, rest
+
+
+def points_of(parts: list[Sky]) -> list[tuple[PointLights, Any]]:
+    """The points of light among the parts of a sum, each with the factor it was multiplied by."""
+    singles = [part.single for part in parts]
+    return [(inner, factor) for inner, factor in singles if isinstance(inner, PointLights)]
+
+
+def extended(parts: list[Sky]) -> list[Sky]:
+    """The parts of a sum that are no points."""
+    return [part for part in parts if not isinstance(part.single[0], PointLights)]
 
 
 def own_array(value: Any) -> Any:
@@ -73,7 +85,9 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
     discs, rest = discs_and_rest(sky)
     nodes, weights = projected(normals, normals)
     total: Array = 0.0
-    for part in rest:
+    for lights, factor in points_of(rest):
+        total = total + lights.illuminance(normals) * factor
+    for part in extended(rest):
         light = part.for_maps.luminance(nodes)
         xp = namespace(light)
         total = total + light @ xp.astype(xp.matrix_transpose(weights), light.dtype)
@@ -121,7 +135,9 @@ def irradiance(sky: Sky, wavelengths: Any, normal: Any = ZENITH, *, ground_albed
     discs, rest = discs_and_rest(sky)
     nodes, weights = projected(normals, normals)
     total: Array = 0.0
-    for part in rest:
+    for lights, factor in points_of(rest):
+        total = total + lights.irradiance(normals, wavelengths) * factor
+    for part in extended(rest):
         if not isinstance(part, SpectralSky):
             raise TypeError(
                 f"{type(part).__name__} knows no spectrum; spectral irradiance needs one, as HosekWilkie has"
@@ -145,7 +161,9 @@ def horizontal_xyz(sky: ColourSky) -> tuple[Array, Array]:
     zenith = ZENITH if like is None or is_numpy(like) else constant(ZENITH, like)
     discs, rest = discs_and_rest(sky)
     diffuse, direct = zenith * 0.0, zenith * 0.0
-    for part in rest:
+    for lights, factor in points_of(rest):
+        diffuse = diffuse + lights.shares(ZENITH) @ lights.carried * factor
+    for part in extended(rest):
         if not isinstance(part, ColourSky):
             raise TypeError(colourless(part))
         diffuse = diffuse + level_xyz(part, zenith)

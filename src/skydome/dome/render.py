@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 
 from skydome.dome.ground_light import ground_rgb
-from skydome.dome.integrals import colourless, discs_and_rest, own_array
+from skydome.dome.integrals import colourless, discs_and_rest, extended, own_array, points_of
 from skydome.dome.painting import paint_rows
+from skydome.dome.points_on_map import add_points
 from skydome.dome.sun_on_map import add_disc
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import as_numpy, brief, constant, is_array, is_labelled, is_numpy
@@ -70,9 +71,11 @@ def render(
     if not isinstance(projection, Equirectangular):
         pixels[...] = 0.0  # texels that the layout does not use stay black
     ground = ground_rgb(shown, ground_albedo, space)
-    paint_rows(pixels, rest, ground, projection, height, space, slice(0, rows))
+    paint_rows(pixels, extended(rest), ground, projection, height, space, slice(0, rows))
     for sun, factor in discs if disc else []:
         add_disc(pixels, sun, float(factor), projection, height, space)
+    for lights, factor in points_of(rest):
+        add_points(pixels, lights, float(factor), projection, height, space)
     provenance = {"model": shown.parameters()} | (metadata or {})
     return EnvironmentMap(pixels, projection, space, provenance)
 

@@ -2,18 +2,23 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from skydome.air.atmosphere import DARK_GREEN, Atmosphere
 from skydome.air.constituents import Aerosol
+from skydome.air.mie import MieParticles
 from skydome.air.phase_laws import HenyeyGreenstein
+from skydome.air.size_distributions import Lognormal
 from skydome.evaluation.evaluation import SkyOf
+from skydome.light.spectrum import Spectrum
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import TAUGHT, clear_air
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.daylight_sky import Daylight
 from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
@@ -85,6 +90,32 @@ class Refit:
         return Refitted(sun, replace(self.known[depth, asymmetry], sun_scale=distance**-2))
 
 
+class TwoModes:
+    """From a sun to the physical sky of two lognormal modes of spheres by Mie: worked out once, then only mixed."""
+
+    sizes = (Lognormal(0.12e-6, 1.6), Lognormal(0.6e-6, 1.8))
+    wavelengths = np.arange(380.0, 801.0, 60.0)
+
+    @cached_property
+    def modes(self) -> tuple[Aerosol, ...]:
+        """Fine and coarse, each of optical depth 1 at 550 nm; refractive index 1.5 - 0.005 i."""
+        particles = (MieParticles(sizes, 1.5, 0.005) for sizes in self.sizes)
+        return tuple(each.optics(self.wavelengths).aerosol(1.0) for each in particles)
+
+    def __call__(self, sun: np.ndarray, fine: float, coarse: float, distance: float = 1.0) -> PhysicalSky:
+        """The sky; depths of both modes at 550 nm."""
+        molecules, _, *others = taught_air(0.1, 0.7, distance).constituents
+        low = [thinned(mode, depth) for mode, depth in zip(self.modes, (fine, coarse), strict=True)]
+        air = replace(taught_air(0.1, 0.7, distance), constituents=(molecules, *low, *others))
+        return PhysicalSky(sun, air, check="clamp")
+
+
+def thinned(aerosol: Aerosol, share: float) -> Aerosol:
+    """So much of an aerosol whose depth is a spectrum."""
+    depth = aerosol.optical_depth
+    return replace(aerosol, optical_depth=Spectrum(depth.wavelengths, share * depth.values))
+
+
 PLAIN = {"depth": 0.06, "asymmetry": 0.76}
 PLAIN_LIMITS = {"depth": (0.005, 0.5), "asymmetry": (0.4, 0.95)}
 TURBIDITY = 2.5
@@ -120,11 +151,35 @@ def of_numbers(model: Model) -> EvaluatedModel:
     )
 
 
+CLEAR_DAY = {"direct_normal_irradiance": 850.0, "diffuse_horizontal_irradiance": 80.0}
+CLEAR_DAY_LIMITS = {"direct_normal_irradiance": (0.0, 1100.0), "diffuse_horizontal_irradiance": (20.0, 500.0)}
+ILLUMINANCE = {"illuminance": 11_000.0}
+"""Of a clear day's sky, lx."""
+
+
+def of_luminance(model: Model) -> EvaluatedModel:
+    """A sky of luminance alone, in the colours of daylight: from irradiances, or of an illuminance, of a clear day."""
+    kind: Any = model.kind
+    span = {"illuminance": (1_000.0, 40_000.0)}
+    usual, limits = (CLEAR_DAY, CLEAR_DAY_LIMITS) if model.knows_level else (ILLUMINANCE, span)
+    shape = {} if model.knows_level else {n: s for n, s in kind.ranges.items() if n in model.takes}
+    own = {name: kind.__dataclass_fields__[name].default for name in shape}
+
+    def make(sun: np.ndarray, **numbers: float) -> SpectralSky:
+        return Daylight(kind(sun, **model.fixed, **numbers))
+
+    return EvaluatedModel(
+        model.name, make, usual | own, limits | {n: (s.low, s.high) for n, s in shape.items()}, model.failures
+    )
+
+
 def models() -> dict[str, EvaluatedModel]:
     """Every model by name: those of the catalogue that tell their failures, and skies of this study's own airs."""
     evaluated = [model for model in CATALOGUE if model.failures and issubclass(model.kind, SpectralSky)]
+    by_luminance = [model for model in CATALOGUE if model.failures and not issubclass(model.kind, SpectralSky)]
     listed = (
         *(of_air(model) if isinstance(model, AirModel) else of_numbers(model) for model in evaluated),
+        *(of_luminance(model) for model in by_luminance),
         EvaluatedModel(
             "two-lobe-air",
             lambda sun, **numbers: DiscreteOrdinates(sun, two_lobe_air(**numbers)),
@@ -139,6 +194,14 @@ def models() -> dict[str, EvaluatedModel]:
             {"depth": 0.068, "share": 0.37, "narrow": 0.853, "wide": 0.609},
             {"depth": (0.005, 0.5), "share": (0.0, 1.0), "narrow": (0.7, 0.97), "wide": (0.0, 0.8)},
             "its aerosol has been fitted to this day and place; no polarisation (up to 7 % at 400 nm)",
+            knows_distance=True,
+        ),
+        EvaluatedModel(
+            "physical-two-modes",
+            TwoModes(),
+            {"fine": 0.05, "coarse": 0.015},
+            {"fine": (0.003, 0.3), "coarse": (0.001, 0.15)},
+            "spheres of two sizes, of one refractive index; no polarisation (up to 7 % at 400 nm)",
             knows_distance=True,
         ),
         EvaluatedModel(

@@ -9,6 +9,7 @@ from skydome.evaluation.evaluation import Comparison, compared
 from skydome.evaluation.measured_sky import MeasuredSky
 from skydome.evaluation.model_fit import fitted
 from skydome.evaluation.models import EvaluatedModel, model_of, models
+from skydome.evaluation.pointing import Repointed
 from skydome.ground.extras import required
 
 FITS = ("no", "all", "half", "each")
@@ -21,10 +22,13 @@ class Run:
     comparison: Comparison
     numbers: Any
     failures: str
+    repointed: Repointed | None = None
 
     def row(self) -> dict[str, Any]:
         """Plain figures for a table."""
-        return {"model": self.comparison.name} | self.comparison.figures() | {"numbers": numbers_text(self.numbers)}
+        anew = {} if self.repointed is None else self.repointed.figures()
+        own = {"model": self.comparison.name} | self.comparison.figures()
+        return own | anew | {"numbers": numbers_text(self.numbers)}
 
 
 def numbers_text(numbers: Any) -> str:
@@ -39,14 +43,25 @@ def numbers_text(numbers: Any) -> str:
     return ", ".join(f"{name} {value:.4g}" for name, value in numbers.items())
 
 
-def evaluated(sky: MeasuredSky, names: list[str], fit: str = "no") -> list[Run]:
-    """The runs of the named models (`all`: every one). ValueError for a name or a way of fitting that is not known."""
+def evaluated(sky: MeasuredSky, names: list[str], fit: str = "no", pointing: bool = False) -> list[Run]:
+    """The runs of the named models (`all`: every one). ValueError for a name or a way of fitting that is not known.
+
+    With `pointing` each is also held against scans that are turned and leant for it, after its numbers were fitted.
+    """
     if fit not in FITS:
         raise ValueError(f"fit must be one of {', '.join(FITS)}, got {fit!r}")
-    if fit != "no":
+    if fit != "no" or pointing:
         required("scipy", "fit", "a fit to measured skies")
     chosen = list(models()) if names == ["all"] else names
-    return [run(model_of(name), sky, fit) for name in chosen]
+    runs = [(model_of(name), run(model_of(name), sky, fit)) for name in chosen]
+    return [with_pointing(model, found) if pointing else found for model, found in runs]
+
+
+def with_pointing(model: EvaluatedModel, found: Run) -> Run:
+    """The same with its scans pointed anew."""
+    sky = found.comparison.sky
+    each = found.numbers if isinstance(found.numbers, list) else [found.numbers] * len(sky)
+    return replace(found, repointed=Repointed.of(model.name, sky, [model.sky_of(numbers) for numbers in each]))
 
 
 def run(model: EvaluatedModel, sky: MeasuredSky, fit: str) -> Run:

@@ -105,7 +105,7 @@ def simulated(grid: Grid, piece: tuple[int, int]) -> Array:
     """Radiance of one piece for sunlight of irradiance 1, sr-1, float32 (elevations, zenith angles, azimuths, W)."""
     turbidity, albedo = grid.turbidities[piece[0]], grid.albedos[piece[1]]
     aerosol = Aerosol(albedo=1.0, phase=HenyeyGreenstein((grid.asymmetry,)))
-    air = Atmosphere.from_turbidity(turbidity, aerosol, albedo=albedo, ozone=grid.ozone)
+    air = Atmosphere.from_turbidity(turbidity, aerosol, albedo=albedo, ozone=grid.ozone, gases=None)
     zenith, azimuth = np.meshgrid(np.radians(grid.zenith_angles), np.radians(grid.azimuths), indexing="ij")
     views = direction(azimuth, np.pi / 2 - zenith)
     suns = direction(np.zeros(len(grid.elevations)), np.radians(np.maximum(grid.elevations, LEAST_ELEVATION)))

@@ -8,13 +8,23 @@ from difflib import get_close_matches
 
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
+from skydome.skies.formula.igawa import Igawa
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
+from skydome.skies.formula.older.asrc_cie import ASRCCIE
 from skydome.skies.formula.older.brunger_hooper import BrungerHooper
 from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
 from skydome.skies.formula.older.pokrowski import Pokrowski
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
-from skydome.skies.model import AirModel, Model, NeuralModel, PhysicalModel, PreethamModel, TracedModel
+from skydome.skies.model import (
+    AirModel,
+    Model,
+    NeuralModel,
+    PhysicalModel,
+    PreethamModel,
+    ScatteringModel,
+    TracedModel,
+)
 from skydome.skies.neural.files import load_network
 from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky
 from skydome.skies.path_tracing.sky import PathTraced
@@ -24,19 +34,26 @@ from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.physical.prague.file import read_prague
 from skydome.skies.physical.prague.sky import Prague
+from skydome.skies.physical.precomputed.sky import PrecomputedScattering
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
 from skydome.skies.uniform import MoonSpencer, Uniform
+
+HAZE = ("sun", "turbidity")
+SHAPE_ALONE = (
+    "knows luminance alone: its colours are daylight's, its level that of irradiances, which were not measured"
+)
+UP_TO_A_FACTOR = "knows luminance alone, up to a factor: its colours are daylight's, its illuminance is given"
 
 
 def cie_model(kind: int) -> Model:
     """A CIE type: overcast up to 5, with the sun from 6 on; 6 is as bright as an overcast sky."""
     return Model(
-        f"cie-{kind}", CIE, fixed={"type": kind}, level=OVERCAST if kind <= 6 else CLEAR, shines=kind > 5
+        f"cie-{kind}", CIE, fixed={"type": kind}, level=OVERCAST if kind <= 6 else CLEAR, shines=kind > 5,
+        failures=UP_TO_A_FACTOR,
     )  # fmt: skip
 
 
-HAZE = ("sun", "turbidity")
 MEASURED = (
     "direct_normal_irradiance", "diffuse_horizontal_irradiance", "extraterrestrial_irradiance", "dew_point", "compat",
     "smooth",
@@ -82,15 +99,17 @@ CATALOGUE: tuple[Model, ...] = (
         ("turbidity", "albedo"),
         {"network": "hosek-wilkie-spectral"},
     ),
-    Model("perez-all-weather", PerezAllWeather, MEASURED, knows_level=True),
+    Model("perez-all-weather", PerezAllWeather, MEASURED, knows_level=True, failures=SHAPE_ALONE),
+    Model("igawa", Igawa, MEASURED[:4], knows_level=True, failures=SHAPE_ALONE),
+    Model("asrc-cie", ASRCCIE, MEASURED[:4], knows_level=True, failures=SHAPE_ALONE),
     Model("perez", Perez, tuple("abcde"), fitted=("sun", *"abcde", "illuminance")),
     *(cie_model(kind) for kind in range(1, 16)),
-    Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance")),
+    Model("cie-clear", CIEClear, level=CLEAR, fitted=("sun", "illuminance"), failures=UP_TO_A_FACTOR),
     Model("cie-intermediate", CIEIntermediate, level=MIDDLE),
-    Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE),
-    Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE),
-    Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE),
-    Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR),
+    Model("matsuura-iwata", MatsuuraIwata, level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE, failures=UP_TO_A_FACTOR),
+    Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR, failures=UP_TO_A_FACTOR),
     Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
     Model("uniform", Uniform, level=OVERCAST, shines=False),
     AirModel(
@@ -106,6 +125,7 @@ CATALOGUE: tuple[Model, ...] = (
     AirModel(
         "nishita-1996", Nishita96, failures="two scatterings only: a few percent (red) to a fifth (blue) too dark"
     ),
+    ScatteringModel("precomputed", PrecomputedScattering),
     TracedModel(
         "path-traced",
         PathTraced,

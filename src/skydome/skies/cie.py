@@ -94,7 +94,12 @@ class CIEIntermediate(ShapedSky):
 
     def relative(self, view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:
         """Relative luminance, shape (...,), from zenith angles and the angle to the sun, radians."""
-        xp = namespace(view_zenith, sun_angle, sun_zenith)
-        first = (1.35 * xp.sin(5.631 - 3.59 * view_zenith) + 3.12) * xp.sin(4.396 - 2.6 * sun_zenith)
-        decay = -0.563 * ((2.629 - view_zenith) * (1.562 - sun_zenith) + 0.812)
-        return (first + 6.37 - view_zenith) / 2.326 * xp.exp(sun_angle * decay)
+        return intermediate_shape(view_zenith, sun_angle, sun_zenith)
+
+
+def intermediate_shape(view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:
+    """Relative luminance of the CIE's intermediate sky, shape (...,), from angles in radians (`CIEIntermediate`)."""
+    xp = namespace(view_zenith, sun_angle, sun_zenith)
+    first = (1.35 * xp.sin(5.631 - 3.59 * view_zenith) + 3.12) * xp.sin(4.396 - 2.6 * sun_zenith)
+    decay = -0.563 * ((2.629 - view_zenith) * (1.562 - sun_zenith) + 0.812)
+    return (first + 6.37 - view_zenith) / 2.326 * xp.exp(sun_angle * decay)

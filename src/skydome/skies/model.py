@@ -11,6 +11,7 @@ from skydome.air.named_airs import depth_of_turbidity
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.all_air.spectral_nodes import NODES
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import UsualLevel
@@ -18,6 +19,9 @@ from skydome.skies.neural.sky import NeuralForm, read_network
 from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.physical.held import held
 from skydome.skies.physical.held_tracing import Report, held_tracing
+from skydome.skies.physical.precomputed.grid import MIDDLE
+from skydome.skies.physical.precomputed.sky import PrecomputedScattering
+from skydome.skies.physical.precomputed.tables import ScatteringTables
 from skydome.skies.preetham import PreethamNumbers
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import Check
@@ -25,8 +29,6 @@ from skydome.sun.place import Place
 
 USUAL = {"turbidity": 3.0, "albedo": USUAL_ALBEDO}
 """What is taken where nobody says: clear air over dry land."""
-
-
 TAUGHT_TURBIDITY = Range(1.0, 10.0)
 """Of the physical sky: more haze was not taught."""
 
@@ -164,9 +166,10 @@ class AirModel(Model):
     def air(self, given: Mapping[str, Any]) -> Any:
         """Air of the usual aerosol."""
         asked = USUAL | dict(given)
-        require("altitude", asked.get("altitude", 0.0), Place.bounds["altitude"])
-        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"])
-        return replace(air.at_altitude(asked.get("altitude", 0.0)), sun_scale=asked.get("sun_scale", 1.0))
+        altitude = asked.get("altitude", 0.0)
+        require("altitude", altitude, Place.bounds["altitude"])
+        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"]).at_altitude(altitude)
+        return replace(air, sun_scale=asked.get("sun_scale", 1.0))
 
     def at_distance(self, distance: float) -> dict[str, float]:
         """The sun's strength."""
@@ -186,13 +189,12 @@ class AirModel(Model):
     def remarks(self, given: Mapping[str, Any]) -> list[str]:
         """The air."""
         asked = USUAL | dict(given)
-        turbidity, albedo = asked["turbidity"], asked["albedo"]
         molecules, aerosol, ozone, *high = self.air(given).constituents
         whole = aerosol.optical_depth + sum(part.optical_depth for part in high)
-        depth, lobe = f"{whole:.3f} at 550 nm", f"g {aerosol.phase.asymmetries[0]:g}"
+        depth, height = f"{whole:.3f} at 550 nm (g {aerosol.phase.asymmetries[0]:g})", asked.get("altitude", 0)
         return [
-            f"air: turbidity {turbidity:g}, an aerosol depth of {depth} ({lobe}), ozone {ozone.column:g} DU",
-            f"ground: albedo {albedo:g}, {asked.get('altitude', 0):g} m high, {molecules.pressure / 100:.0f} hPa",
+            f"air: turbidity {asked['turbidity']:g}, an aerosol depth of {depth}, ozone {ozone.column:g} DU",
+            f"ground: albedo {asked['albedo']:g}, {height:g} m high, {molecules.pressure / 100:.0f} hPa",
         ]
 
 
@@ -210,8 +212,8 @@ class PhysicalModel(AirModel):
         if np.ndim(given.get("turbidity", 0.0)) == 0:
             return super().air(given)
         depth = depth_of_turbidity(np.asarray(given["turbidity"], np.float64))
-        air = Atmosphere.standard(depth, albedo=given.get("albedo", USUAL["albedo"]))
-        return air.at_altitude(given.get("altitude", 0.0))
+        albedo, altitude = given.get("albedo", USUAL["albedo"]), given.get("altitude", 0.0)
+        return Atmosphere.standard(depth, albedo=albedo).at_altitude(altitude)
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
@@ -235,3 +237,14 @@ class TracedModel(AirModel):
         """The held tracing."""
         asked = given or {}
         return held_tracing(PathTraced(sun, self.air(asked)), asked.get("until"), asked.get("paths"), report)
+
+
+@dataclass(frozen=True)
+class ScatteringModel(AirModel):
+    """The sky by tables of scattered light, fine enough for a picture."""
+
+    def make(
+        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
+    ) -> Sky:
+        """The held sky."""
+        return held(PrecomputedScattering.by(ScatteringTables.of(self.air(given or {}), NODES, sizes=MIDDLE), sun))

@@ -8,10 +8,10 @@ import skydome as sd
 from skydome.dome.patch_means import patch_means
 from skydome.dome.patches import patches
 from skydome.ground.units import RADIANCE_EFFICACY
+from skydome.light.action_spectra import melanopic_edi, melanopic_sensitivity, photosynthetic_photons
 from skydome.light.spectrum import xyz_weights
 from skydome.years.gendaymtx import hours
 from skydome.years.gendaymtx import matrix as gendaymtx
-from skydome.years.skies.action_spectra import melanopic_edi, melanopic_sensitivity, photosynthetic_photons
 from skydome.years.skies.dome_means import PerezSkies, by_numpy, dome_means, samples_of
 from skydome.years.skies.perez_year import perez_year
 from skydome.years.skies.series import year

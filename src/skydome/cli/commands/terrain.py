@@ -7,6 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.doors import progress, require_picture
 from skydome.cli.map_file import Exposure
+from skydome.cli.models import hazed
 from skydome.cli.moment import place_text
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import labelled_rows, show
@@ -51,11 +52,13 @@ def terrain(
     from skydome.land.reading import read_elevation
     from skydome.land.texture import read_texture
     from skydome.light.colour import SRGB
+    from skydome.skies.catalogue import model_named
 
     require_picture(output, exposure)
     required("numba", "terrain", "a terrain picture")
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)
+    options, seen = hazed(model_named(options.model), options)
     land, scene = read_elevation(land_file, vertical_unit), scene_of(options)
     surface, laid = (
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
@@ -67,7 +70,7 @@ def terrain(
     with progress("rendering") as report:
         picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=report)
     picture.save(output, exposure) if output.suffix.lower() == ".png" else picture.save(output)
-    facts = facts_of(output, land, picture) | {"sky": scene.name, "notes": [*land.notes, *laid, *scene.notes]}
+    facts = facts_of(output, land, picture) | {"sky": scene.name, "notes": [*land.notes, *laid, *seen, *scene.notes]}
     show(facts, rows_of(facts), as_json)
 
 

@@ -19,6 +19,13 @@ COLUMNS = {
     "zenith_luminance_bias": "zenith",
     "illuminance_bias": "illuminance",
 }
+POINTED = {
+    "pointed_error": "pointed",
+    "pointed_error_beyond_20_degrees": "pointed, beyond 20°",
+    "turn_least_deg": "turn, from",
+    "turn_most_deg": "to",
+    "tilt_mean_deg": "tilt",
+}
 DEFAULT = "preetham,hosek-wilkie,discrete-ordinates,two-lobe-air"
 
 
@@ -29,6 +36,9 @@ def evaluate(
         str,
         Option(metavar="no|all|half|each", help="Fit each model's numbers: to all scans, to every second, to each."),
     ] = "no",
+    pointing: Annotated[
+        bool, Option("--pointing", help="Also point each scan anew for each model: turn and tilt, degrees.")
+    ] = False,
     table: Annotated[Path | None, Option(help="Write the table as .csv.")] = None,
     figures: Annotated[Path | None, Option(help="A folder for maps, meridian and day (.png).")] = None,
     scan: Annotated[int, Option(help="The scan of maps and meridian, from 0.")] = 3,
@@ -49,7 +59,7 @@ def evaluate(
     if not 0 <= scan < len(sky):
         raise ValueError(f"scan must lie in [0, {len(sky) - 1}], got {scan}")
     with progress("evaluating"):
-        runs = evaluated(sky, [name.strip() for name in models.split(",")], fit)
+        runs = evaluated(sky, [name.strip() for name in models.split(",")], fit, pointing)
     rows = [run.row() for run in runs]
     if table is not None:
         write_table(rows, table)
@@ -80,11 +90,12 @@ def show_table(rows: list[dict[str, Any]]) -> None:
 
     shown = Table(box=None, pad_edge=False)
     shown.add_column("model", style="bold")
-    for heading in COLUMNS.values():
+    columns = COLUMNS | (POINTED if "pointed_error" in rows[0] else {})
+    for heading in columns.values():
         shown.add_column(heading, justify="right")
     shown.add_column("numbers", overflow="fold")
     for row in rows:
-        shown.add_row(row["model"], *(f"{row[key]:.3f}" for key in COLUMNS), row["numbers"])
+        shown.add_row(row["model"], *(f"{row[key]:.3f}" for key in columns), row["numbers"])
     Console().print(shown)
 
 

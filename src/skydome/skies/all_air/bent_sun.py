@@ -7,10 +7,11 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.air.bending import REFRACTIVITY
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.light.spectrum import xyz_weights
-from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.single_scattering import as_seen
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.suns.sun_disc import limb_darkening, limb_mean
@@ -55,8 +56,12 @@ class BentSun(AtmosphereSun):
     def left(self, sine: Array, wavelengths: Any) -> Array:
         """Transmittance of the air toward sines of apparent elevations (...,), (..., W)."""
         depths = np.stack([np.asarray(part.depth(wavelengths)) for part in self.atmosphere.constituents])
-        columns = self.tables.toward(np.zeros_like(sine), at_least(sine, 0.0))
-        return np.asarray(np.exp(-columns @ depths) * self.atmosphere.sun_at(wavelengths))
+        ground, sine, air = np.zeros_like(sine), at_least(sine, 0.0), self.atmosphere
+        light = np.exp(-self.tables.toward(ground, sine) @ depths) * air.sun_at(wavelengths)
+        if air.gases is None:
+            return np.asarray(light)
+        columns = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(ground, sine)
+        return np.asarray(light * air.gases.transmittance(columns[..., 0], columns[..., 1], wavelengths))
 
     def centre_radiance(self, wavelengths: Any) -> Array:
         """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""

@@ -5,8 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arrays import Array, constant
-
 Block = tuple[Any, ...]
 """A slice of every axis of the shape that arrays broadcast to; the first may be an array of indices."""
 
@@ -36,8 +34,3 @@ def part_of(array: np.ndarray, block: Block, trailing: int = 1) -> np.ndarray:
     lead = array.ndim - trailing
     own = block[len(block) - lead :]
     return array[tuple(s if count > 1 else slice(None) for s, count in zip(own, array.shape, strict=False))]
-
-
-def times(light: Array, factors: np.ndarray) -> Array:
-    """Light (..., W) times factors (W,), or summed by factors (W, C)."""
-    return light * constant(factors, light) if factors.ndim == 1 else light @ constant(factors, light)

@@ -14,8 +14,9 @@ from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.bent_sun import BentSun
-from skydome.skies.all_air.blocks import part_of, times
+from skydome.skies.all_air.blocks import part_of
 from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.many_suns import LOWEST, by_kind
@@ -26,14 +27,15 @@ from skydome.skies.all_air.polarised.stokes_sky import StokesSky
 from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines
-from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes, xyz_of_bands
+from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.all_air.taught_air import clear_air, foreign, optics, require_earth, require_taught, same, taught
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
+from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
-WAVELENGTHS = Range(300.0, 1100.0, "nm")
+WAVELENGTHS = Range(300.0, 2500.0, "nm")
 SMOOTH, SMOOTHER = 8, 4
 """Terms in the azimuth that tell the light scattered once, without its phase functions: under a low sun, a high one."""
 LOW_SUN = 0.05
@@ -47,9 +49,8 @@ class PhysicalSky(StokesSky):
     One sun or many, one air or many: `sun` (..., 3) and the numbers in `atmosphere` (...,) broadcast with the
     directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: those of
     the package, smaller ones (`Networks.SMALL`), or a file of one's own. `valid` tells whether the air was taught, at
-    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. Errors and limits:
-    docs/models/physical.md. `vector`: polarisation counts in all light, which it changes by some percent; a file of
-    one's own for it is `polarisation` (docs/models/polarisation.md).
+    380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. `vector`: polarisation counts in
+    all light; a file of one's own for it is `polarisation`. docs/models/physical.md, docs/models/polarisation.md.
 
     >>> import skydome as sd
     >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
@@ -87,7 +88,7 @@ class PhysicalSky(StokesSky):
 
     @cached_property
     def rest(self) -> Rest:
-        """The networks of light scattered more than once."""
+        """The networks of the light scattered more than once."""
         return with_polarisation(self.plain_rest, self.polarised) if self.vector else self.plain_rest
 
     @cached_property
@@ -153,13 +154,13 @@ class PhysicalSky(StokesSky):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon.
 
-        ValueError for wavelengths outside 300-1100 nm, or at which the air was not taught.
+        ValueError for wavelengths outside 300-2500 nm, or at which the air was not taught.
         """
-        w = checked_wavelengths(wavelengths)
+        w, views = checked_wavelengths(wavelengths), self.views(directions)
         if w[0] < WAVELENGTHS.low or w[-1] > WAVELENGTHS.high:
             raise ValueError(f"wavelengths must lie in {WAVELENGTHS}, got {w[0]:g} to {w[-1]:g}")
-        views = self.views(directions)
-        return self.blanked(self.in_blocks(views, self.at(w), self.atmosphere.sun_at(w)), views)
+        self.tell_missing_bands(w)
+        return self.blanked(self.in_blocks(views, self.at(w), SkySpectrum(w, self.atmosphere.sun_at(w))), views)
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3): the air's part of the spectrum follows
@@ -172,10 +173,9 @@ class PhysicalSky(StokesSky):
         """The directions (..., 3), checked, in the sky's library."""
         return checked_directions(same(floating(directions), self.toward))
 
-    def colours(self) -> np.ndarray:
-        """CIE XYZ of light at `NODES` for a sun of irradiance 1, under the true sun, (W, 3)."""
-        sun = self.atmosphere.sun_at(SpectralSky.bands)
-        return np.asarray(bands_from_nodes().T @ (sun[:, None] * xyz_of_bands()))
+    def colours(self) -> SkyColours:
+        """From light at `NODES` for a sun of irradiance 1 to CIE XYZ under the true sun."""
+        return SkyColours.of(self.atmosphere, bands_from_nodes().T)
 
     def stokes(self, directions: Array, wavelengths: Any) -> Array:
         """Stokes I, Q, U toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W, 3); 0 below the horizon.
@@ -187,20 +187,21 @@ class PhysicalSky(StokesSky):
 
     def shares(self, sun: Array, views: Array, lit: LitAir) -> Array:
         """Stokes I, Q and U over `radiance`, (..., W, 3)."""
-        once, where = self.once(lit, *cosines(sun, views)), (sun, as_seen(self.tables, sun), views)
-        light = stokes_shares(self.polarised, self.plain_rest, self.laws, once, lit, *where)
+        rest, once = self.rest_of(self.plain_rest, sun, views, lit), self.once(lit, *cosines(sun, views))
+        light = stokes_shares(self.polarised, self.laws, rest, once, lit, sun, as_seen(self.tables, sun), views)
         return safe_divide(light, light[..., :1]) if self.vector else light
 
-    def in_blocks(self, views: Array, lit: LitAir, factors: np.ndarray) -> Array:
-        """Light (..., W) times factors (W,) or (W, C): in NumPy some directions of some suns at a time."""
+    def in_blocks(self, views: Array, lit: LitAir, ending: SkyColours | SkySpectrum) -> Array:
+        """Light as `ending` makes it of light at the air's wavelengths: in NumPy some views of some suns at a time."""
         sun = self.toward
         if not is_numpy(sun) or any(np.ndim(law.mean_cosine(NODES[:1])) > 1 for law in self.laws):
-            return times(self.light(sun, views, lit), factors)
+            return ending.of_light(self.light(sun, views, lit), lit.gases, sun[..., 2], views[..., 2])
         shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
-        light, once = np.zeros((*shape, factors.shape[-1])), chosen(int(np.prod(shape)))
+        light, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
         for block in by_kind(sun, shape, once is compiled):
-            some = self.light(part_of(sun, block), part_of(views, block), lit.part(block), once)
-            light[block] = times(some, factors)
+            here, toward, air = part_of(sun, block), part_of(views, block), lit.part(block)
+            some = self.light(here, toward, air, once)
+            light[block] = ending.of_light(some, air.gases, here[..., 2], toward[..., 2])
         return light
 
     @property
@@ -210,13 +211,16 @@ class PhysicalSky(StokesSky):
 
     def light(self, sun: Array, views: Array, lit: LitAir, once: Once = in_arrays) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W)."""
-        view, height, between = cosines(sun, views)
-        turn = cosine_of_turn(sun, views)
-        total = self.rest.radiance(lit.numbers, height, lambda network: network.at(view, turn))
-        glow = cosines(as_seen(self.tables, sun), views)[2]
-        for law, strength in zip(self.laws, self.once(lit, view, height, between, once), strict=True):
+        total, glow = self.rest_of(self.rest, sun, views, lit), cosines(as_seen(self.tables, sun), views)[2]
+        for law, strength in zip(self.laws, self.once(lit, *cosines(sun, views), once), strict=True):
             total = total + strength * same(law.value(glow, lit.wavelengths), total)
         return total
+
+    def rest_of(self, rest: Rest, sun: Array, views: Array, lit: LitAir) -> Array:
+        """What is scattered more than once, sr-1, (..., W)."""
+        turn, height = cosine_of_turn(sun, views), sun[..., 2]
+        light = rest.radiance(lit.numbers, height, lambda network: network.at(views[..., 2], turn))
+        return light if lit.held is None else light * dimming(self.tables, height, lit.depths, lit.held, lit.shares)
 
     def once(self, lit: LitAir, view: Array, height: Array, between: Array, once: Once = in_arrays) -> list[Array]:
         """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
@@ -234,14 +238,13 @@ class PhysicalSky(StokesSky):
         sun = np.asarray(self.sun, dtype=np.float64)
         if sun.shape != (3,):
             raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
-        view, _, between = (
-            part.astype(np.float32) for part in node_cosines(sun, SMOOTHER if sun[2] > LOW_SUN else SMOOTH)
-        )
+        nodes = node_cosines(sun, SMOOTHER if sun[2] > LOW_SUN else SMOOTH)
+        view, _, between = (part.astype(np.float32) for part in nodes)
         turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
         lit, height = self.at(NODES).single(), np.float32(sun[2])
         strengths = self.once(lit, view, height, between)
         shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
-        rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
-        colours = self.colours() * float(self.is_day)
-        series = [series_of(np.concatenate(shapes) @ colours), series_of(rest[None] @ colours)]
+        rest, day = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns)), float(self.is_day)
+        fields = (np.concatenate(shapes), rest[None])
+        series = [series_of(self.colours().of_light(some * day, lit.gases, height, view)) for some in fields]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))

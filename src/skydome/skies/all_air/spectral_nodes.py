@@ -11,7 +11,6 @@ from functools import cache
 import numpy as np
 
 from skydome.air.cross_sections import ozone_cross_section, rayleigh_depth
-from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 
 NODES = np.arange(400.0, 701.0, 30.0)
@@ -40,13 +39,19 @@ def family(wavelengths: np.ndarray) -> np.ndarray:
 @cache
 def bands_from_nodes() -> np.ndarray:
     """How the light at `SpectralSky.bands` follows from that at `NODES`, (B, W)."""
-    spectra = family(SpectralSky.bands)
-    known = spectra[:, np.isin(SpectralSky.bands, NODES)]
-    square = known.T @ known + LITTLE * SPECTRA * np.eye(len(NODES))
-    return np.asarray(np.linalg.solve(square, known.T @ spectra).T)
+    return spectrum_from_nodes(NODES, SpectralSky.bands).T
 
 
-@cache
-def xyz_of_bands() -> np.ndarray:
-    """From spectra at `SpectralSky.bands` to XYZ, (B, 3)."""
-    return xyz_weights(SpectralSky.bands)
+def spectrum_from_nodes(nodes: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+    """How the light at wavelengths (B,) follows from that at others, `nodes` (W,), by least squares, (W, B).
+
+    Where all are nodes themselves, as it is.
+    """
+    meet = nodes[:, None] == wavelengths
+    if meet.any(axis=0).all():
+        return np.asarray(meet, dtype=np.float64)
+    together, place = np.unique(np.concatenate([nodes, wavelengths]), return_inverse=True)
+    spectra = family(together)[:, place]
+    known, wanted = spectra[:, : nodes.size], spectra[:, nodes.size :]
+    square = known.T @ known + LITTLE * SPECTRA * np.eye(nodes.size)
+    return np.asarray(np.linalg.solve(square, known.T @ wanted))

@@ -9,8 +9,9 @@ import numpy as np
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
 from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
 from skydome.air.cross_sections import STANDARD_PRESSURE
+from skydome.air.gases.gases import STANDARD_WATER
 from skydome.air.named_airs import BACKGROUND_DEPTH
-from skydome.ground.arrays import Array, as_numpy, constant, is_concrete, is_numpy, namespace, safe_divide
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range, inside
 
 HIGH = 10_000.0
@@ -26,6 +27,8 @@ TAUGHT = {
     "ground": Range(0.0, 1.0),
 }
 """Optical depths (molecules, low aerosol, stratospheric aerosol, ozone), the aerosol's numbers, the ground's albedo."""
+ALLOWED = TAUGHT | {"absorbers": Range(0.0, 6.5)}
+"""What the sky may be asked for: ozone goes beyond what was taught (`deep_ozone`)."""
 NAMES = {
     "molecules": "optical depth of molecules",
     "aerosol": "optical depth of aerosol",
@@ -60,6 +63,7 @@ def clear_air(
     aerosol_albedo: Any = 0.92,
     angstrom: Any = 1.3,
     stratospheric_depth: Any = BACKGROUND_DEPTH,
+    water: Any = STANDARD_WATER,
 ) -> Atmosphere:
     """The air that the physical sky was taught: `Atmosphere.standard`, under the name that this sky had for it.
 
@@ -75,6 +79,7 @@ def clear_air(
         aerosol_albedo=aerosol_albedo,
         angstrom=angstrom,
         stratospheric_depth=stratospheric_depth,
+        water=water,
     )
 
 
@@ -111,6 +116,9 @@ def kinds(air: Atmosphere) -> tuple[Sequence[Constituent], ...]:
 def foreign(air: Atmosphere) -> Array | None:
     """An array of the library that the numbers of an atmosphere are in; None where that is NumPy."""
     w = [550.0]
+    for value in () if air.gases is None else (air.gases.water, air.gases.pressure):
+        if not is_numpy(floating(value)):
+            return floating(value)
     for part in air.constituents:
         for value in (part.depth(w), part.scattered(w), part.phase_law.mean_cosine(w)):
             if not is_numpy(value):
@@ -131,9 +139,9 @@ def same(value: Any, like: Array) -> Array:
 
 
 def taught(numbers: Optics) -> Array:
-    """True where all numbers (..., W) of an air were taught, (...,)."""
+    """True where all numbers (..., W) of an air are allowed, (...,)."""
     xp = namespace(*numbers)
-    each = (xp.all(inside(number, TAUGHT[name]), axis=-1) for name, number in numbers._asdict().items())
+    each = (xp.all(inside(number, ALLOWED[name]), axis=-1) for name, number in numbers._asdict().items())
     return reduce(lambda a, b: a & b, each)
 
 
@@ -142,7 +150,7 @@ def require_taught(numbers: Optics) -> None:
     for name, number in numbers._asdict().items():
         if not is_concrete(number):
             continue
-        found, interval = np.asarray(as_numpy(number)), TAUGHT[name]
+        found, interval = np.asarray(as_numpy(number)), ALLOWED[name]
         wrong = ~((found >= interval.low) & (found <= interval.high * (1 + 1e-6)))
         if wrong.any():
             raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")

@@ -6,6 +6,7 @@
 - igawa                Igawa's all-sky model: five letters from how bright and how cloudless a sky is
 - quantity             From a formula's channels to the light asked for: luminance, XYZ, RGB or a spectrum
 - shaped_sky           Skies of a shape of their own, brought to a level
+- measured_level       The level of a sky that is made from irradiances, by Perez's efficacies
 - level                The absolute level of skies that are known only up to a factor
 - sky_tables           Tables of a sky model in Hosek and Wilkie's form
 - older/               Older skies that the papers name, each by its own formula

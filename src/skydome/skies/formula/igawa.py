@@ -13,21 +13,18 @@ import numpy as np
 from skydome.air.optical_mass import kasten_young
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace
 from skydome.ground.directions import zenith_angle
-from skydome.ground.limits.ranges import Range
 from skydome.ground.tables import columns
 from skydome.ground.units import SOLAR_CONSTANT
-from skydome.light.irradiance import GREATEST_IRRADIANCE
 from skydome.skies.formula.formula_sky import LuminanceFormulaSky
-from skydome.skies.formula.level import require_one_level
+from skydome.skies.formula.measured_level import MeasuredLevel
 from skydome.skies.formula.perez_formula import from_perez
-from skydome.skies.perez_all_weather import PerezAllWeather
 
 GREATEST_INDEX = 1.2
 """Clear-sky index and cloudless index at most: as far as the paper has data."""
 
 
 @dataclass(frozen=True, eq=False)
-class Igawa(LuminanceFormulaSky):
+class Igawa(MeasuredLevel, LuminanceFormulaSky):
     """Sky luminance from direct normal and diffuse horizontal irradiance, W m-2, without bins (Igawa 2014).
 
     Parameters broadcast with the sun's leading axes. The letters are smooth functions of the clear-sky index Kc (global
@@ -47,46 +44,7 @@ class Igawa(LuminanceFormulaSky):
     diffuse_horizontal_irradiance: Any
     extraterrestrial_irradiance: Any = SOLAR_CONSTANT
     dew_point: Any = 11.0
-    ranges: ClassVar = {
-        "direct_normal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
-        "diffuse_horizontal_irradiance": Range(0.0, GREATEST_IRRADIANCE, "W m-2"),
-        "extraterrestrial_irradiance": Range(1.0, 2000.0, "W m-2"),
-        "dew_point": Range(-90.0, 60.0, "degrees C"),
-    }
     source: ClassVar[str] = "Igawa 2014, Solar Energy 105; Igawa et al. 2004; efficacies Perez et al. 1990"
-
-    def require_level(self) -> None:
-        """ValueError for two levels."""
-        if self.zenith_luminance is not None or self.illuminance is not None:
-            require_one_level("Igawa", self.zenith_luminance, self.illuminance)
-
-    @property
-    def by_perez(self) -> PerezAllWeather:
-        """Perez's sky of the same irradiances, whose efficacies give the level."""
-        given = (self.direct_normal_irradiance, self.diffuse_horizontal_irradiance, self.extraterrestrial_irradiance)
-        return PerezAllWeather(self.sun, *given, self.dew_point, check="clamp")
-
-    @property
-    def diffuse_illuminance(self) -> Array:
-        """Diffuse horizontal illuminance, lx, shape (...,), where no zenith luminance is given."""
-        given = self.illuminance
-        return self.by_perez.diffuse_illuminance if given is None else floating(given, like=self.sun)
-
-    @property
-    def direct_normal_illuminance(self) -> Array:
-        """Illuminance of the sun on a plane that faces it, lx, shape (...,)."""
-        return self.by_perez.direct_normal_illuminance
-
-    @property
-    def levels(self) -> tuple[Any, Any]:
-        """Zenith luminance, cd m-2, or illuminance, lx, the other None."""
-        return (self.zenith_luminance, None) if self.zenith_luminance is not None else (None, self.diffuse_illuminance)
-
-    @property
-    def valid(self) -> Array:
-        """True where the parameters lie in their ranges, the sun is up, there is light and the level holds."""
-        given = self.parameter("direct_normal_irradiance") + self.parameter("diffuse_horizontal_irradiance")
-        return super().valid & (given > 0)
 
     def indices(self) -> tuple[Array, Array]:
         """Clear-sky index Kc and cloudless index Cle, (...,) each, in [0, 1.2] (Igawa 2014, eq. 2-8)."""

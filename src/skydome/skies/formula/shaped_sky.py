@@ -25,8 +25,17 @@ class ShapedSky(SunlitSky):
 
     def __post_init__(self) -> None:
         """Validate only."""
-        require_one_level(type(self).__name__, self.zenith_luminance, self.illuminance)
+        self.require_level()
         super().__post_init__()
+
+    def require_level(self) -> None:
+        """ValueError unless exactly one level is given."""
+        require_one_level(type(self).__name__, self.zenith_luminance, self.illuminance)
+
+    @property
+    def levels(self) -> tuple[Any, Any]:
+        """Zenith luminance, cd m-2, or illuminance, lx, the other None."""
+        return self.zenith_luminance, self.illuminance
 
     @abstractmethod
     def relative(self, view_zenith: Array, sun_angle: Array, sun_zenith: Array) -> Array:
@@ -34,7 +43,7 @@ class ShapedSky(SunlitSky):
 
     def reference(self, sun_zenith: Array) -> Array:
         """What the level stands for: relative luminance in the zenith, or relative illuminance, shape (...,)."""
-        if self.illuminance is None:
+        if self.levels[1] is None:
             return self.relative(sun_zenith * 0, sun_zenith, sun_zenith)
         cosine, angle, weight = half_hemisphere_about(sun_zenith)
         xp = namespace(cosine)
@@ -51,7 +60,8 @@ class ShapedSky(SunlitSky):
         own = [np.shape(getattr(self, name)) for name in self.ranges]
         sun_zenith = namespace(sun).broadcast_to(risen(sun), np.broadcast_shapes(tuple(sun.shape[:-1]), *own))
         shape = self.relative(self.view_zenith(directions), sun_angle, sun_zenith)
-        given = self.zenith_luminance if self.illuminance is None else self.illuminance
+        zenith, horizontal = self.levels
+        given = zenith if horizontal is None else horizontal
         level = safe_divide(floating(given, like=directions), self.reference(sun_zenith))
         return self.blanked(level * shape, directions, channels=0)
 

@@ -1,6 +1,18 @@
-"""The light of the night: the moon's and the sky's under it.
+"""The light of the night: moon, stars, the glow of dust and air, and all of it together.
 
-- lunar_light  The moon's light above the air, by the ROLO model of its disc's reflectance
-- moonlight    Moonlight: the physical sky with the moon as its light
-- moon_disc    The moon's disc: limb, phase, tilt and maria, and the earth's light on its dark side
+- lunar_light   The moon's light above the air, by the ROLO model of its disc's reflectance
+- moonlight     Moonlight: the physical sky with the moon as its light
+- moon_disc     The moon's disc: limb, phase, tilt and maria, and the earth's light on its dark side
+- magnitudes    Magnitudes, colours and surface brightness of the heavens as light
+- through_air   What the air does to the light of the heavens
+- stars         Stars and planets as points of light through the air
+- held_dome     A smooth sky's colours on a fine grid of the dome, for maps
+- celestial     Light from beyond the air that glows all over the sky: what its kinds share
+- zodiacal      Zodiacal light: sunlight on the dust between the planets
+- starlight     Starlight of what is too faint to be a point: the Milky Way
+- airglow       Airglow: the upper air's own light, lines and a continuum
+- skyglow       Skyglow: the light of towns that the air sends back
+- eclipse       Eclipses of the sun: how much of it the moon covers, and what is left of its light
+- sky_at        The whole sky of a place and a time, day or night, as a sum of skies
+- through_time  The light on the level through many times, each part by itself
 """

@@ -22,7 +22,7 @@ OF_PHASE = (4.06054, 12.8802, -30.5858, 16.7498)
 FARTHEST = 97.0 * deg
 """Phase angle to which the model was fitted; beyond, the moon fades as Krisciunas and Schaefer 1991 have it."""
 
-BANDS = np.arange(300.0, 1101.0, 10.0)
+BANDS = np.arange(300.0, 2501.0, 10.0)
 """Wavelengths at which the light is known, nm."""
 
 

@@ -61,7 +61,8 @@ def many_suns(
             given = (view, sine, suns, np.cos(radius), j, air, laws, seed, each, found)
             shared(hits, PARTS, PARTS * each, given, PATHS_PER_PIECE)
             mean[e, :, j], error[e, :, j] = estimate(found.sum(axis=0), each * PARTS, radius)
-    sunlight = sky.atmosphere.sun_at(w)
+    views = np.stack([np.cos(rings), 0 * rings, np.sin(rings)], axis=-1)
+    sunlight = sky.sunlight(views[:, None, :], w)
     return Rings(rings, 2 * np.pi * np.arange(suns) / suns, mean * sunlight, error * sunlight)
 
 

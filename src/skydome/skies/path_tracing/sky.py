@@ -148,8 +148,8 @@ class TracingJob:
 
     @property
     def sunlight(self) -> Array:
-        """Irradiance above the air, W m-2 nm-1, (W,)."""
-        return self.sky.atmosphere.sun_at(self.wavelengths)
+        """Irradiance above the air less what gases take, W m-2 nm-1, (W,) or (D, W)."""
+        return self.sky.sunlight(self.directions, self.wavelengths)
 
     @cached_property
     def exact(self) -> Any:

@@ -1,6 +1,7 @@
 """Skies from first principles, and what makes them quick.
 
 - atmosphere_sky      What the skies of an `Atmosphere` share: the air, its ground, and how bright its sun is
+- sky_colours         From the light of a sky to its colours under the true sun, less what gases take
 - choice              The default physical sky, discrete ordinates for a high sun
 - discrete_ordinates  The physical sky by discrete ordinates, multiple scattering in layers of air
 - layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form
@@ -14,4 +15,5 @@
 - held_rows_kernel    The same compiled
 - refitted            A fast sky for an atmosphere of one's own, the nine numbers fitted to a slow sky
 - prague/             The Prague sky model, fitted to path tracing, from the files that its authors publish
+- precomputed/        Skies from tables of scattered light that all suns, views and heights share
 """

@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.ground.arrays import Array, at_least, floating
+from skydome.air.gases.skylight import skylight_share
+from skydome.ground.arrays import Array, at_least, constant, floating
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.sky import SunlitSky
@@ -36,6 +37,17 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         """A warning where `wavelengths` ask for bands of gases that the air lacks; colours, with `bands`, are none."""
         if wavelengths is not self.bands:
             self.atmosphere.tell_missing_bands(wavelengths)
+
+    def sunlight(self, directions: Array, wavelengths: Any) -> Array:
+        """What light for a sun of irradiance 1 is multiplied by, W m-2 nm-1, (..., W), or (W,) for all views at once.
+
+        The sun's irradiance above the air, less what the air's gases take of the light from directions (..., 3).
+        """
+        light, gases = self.atmosphere.sun_at(wavelengths), self.atmosphere.gases
+        if gases is None:
+            return light
+        share = skylight_share(gases, floating(self.sun, like=directions)[..., 2], directions[..., 2], wavelengths)
+        return share * constant(light, share)
 
     @property
     def sun_distance(self) -> float:

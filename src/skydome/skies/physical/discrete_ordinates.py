@@ -66,7 +66,7 @@ class DiscreteOrdinates(AtmosphereSky):
                 place = across(index, suns.shape[:-1], shape)
                 views = np.broadcast_to(directions, (*shape, 3))[place]
                 light[place] = self.under_one_sun(suns[index], views, w)
-        return np.asarray(self.blanked(light, directions)) * self.atmosphere.sun_at(w)
+        return np.asarray(self.blanked(light, directions)) * self.sunlight(directions, w)
 
     def under_one_sun(self, sun: np.ndarray, directions: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Radiance for a sun of irradiance 1, sr-1, shape (..., W)."""

@@ -19,13 +19,13 @@ from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions, direction, zenith_angle
 from skydome.ground.interpolation import weights
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
 from skydome.skies.physical.held_rows import HeldRows
 from skydome.skies.physical.nishita import lit_columns
+from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import SunlitSky
 
 TERMS = 24
@@ -159,10 +159,11 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     if sun.shape != (3,):
         raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
     w, views = SpectralSky.bands if bands is None else bands, node_directions(sun)
-    whole = (sky.radiance(views, w) if light is None else light) / air.sun_at(w)
+    whole = (sky.radiance(views, w) if light is None else light) / sky.sunlight(views, w)
     once = strengths(air, views, sun, w)
     rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
-    fields = np.concatenate([once, rest[None]]) @ colours_of(air, w)
+    colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
+    fields = colours.of_light(np.concatenate([once, rest[None]]), air.gases, sun[2], views[:, 2])
     return HeldSky(sun, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
 
 
@@ -173,14 +174,6 @@ def series_of(fields: np.ndarray) -> np.ndarray:
     series = np.zeros((fields.shape[1], TERMS + 1, len(fields), 3))
     series[:, :count] = np.moveaxis(np.tensordot(cosine_transform(count - 1), fields, axes=(1, 2)), 2, 0)
     return series
-
-
-def colours_of(air: Atmosphere, wavelengths: np.ndarray) -> np.ndarray:
-    """CIE XYZ of light (W,) for a sun of irradiance 1, linear between wavelengths, under the true sun: (W, 3)."""
-    fine = SpectralSky.bands
-    between = weights(wavelengths, np.clip(fine, wavelengths[0], wavelengths[-1])).T
-    result: np.ndarray = (between * air.sun_at(fine)) @ xyz_weights(fine)
-    return result
 
 
 def shapes_of(air: Atmosphere, cosine: np.ndarray) -> np.ndarray:

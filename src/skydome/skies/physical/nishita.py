@@ -65,7 +65,7 @@ class Nishita93(AtmosphereSky):
             found = np.zeros((len(flat), w.size))
             found[up] = self.under_one_sun(table, suns[index], flat[up], w)
             light[place] = found.reshape(*views.shape[:-1], w.size)
-        return light * self.atmosphere.sun_at(w)
+        return light * self.sunlight(directions, w)
 
     def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once, for a sun of irradiance 1, sr-1, shape (D, W)."""
@@ -122,11 +122,17 @@ def scattered_once(
 
 
 def lit_columns(
-    table: ColumnTable, path: Rays, radius: np.ndarray, cos_sun: float, cosine: np.ndarray, depths: np.ndarray
+    table: ColumnTable,
+    path: Rays,
+    radius: np.ndarray,
+    cos_sun: float | np.ndarray,
+    cosine: np.ndarray,
+    depths: np.ndarray,
 ) -> Array:
     """Column of each constituent on rays, each sample dimmed from the sun and to the eye, (N, K, W) (1993, eq. 4, 5).
 
-    `depths` (K, W): vertical optical depths; `cosine` (N,): of the angle between ray and sun.
+    `depths` (K, W): vertical optical depths; `cos_sun` where rays start, a number or (N, 1); `cosine` (N,): of the
+    angle between ray and sun.
     """
     local = (radius[:, None] * cos_sun + path.distance * cosine[:, None]) / (table.air.radius + path.height)
     column, blocked = table.look_up(path.height, np.clip(local, -1.0, 1.0))

@@ -2,5 +2,7 @@
 
 - sun_disc        The sun's disc: Hosek and Wilkie's solar radiance, limb darkening, exact irradiance
 - preetham_sun    The sun's disc through Preetham's clear air, physical in level and colour
+- point_lights    Lights too small for any texel, such as stars
+- gensky_sun      The sun that Radiance's gensky puts into its skies
 - atmosphere_sun  The sun's disc through an `Atmosphere`: the direct light that belongs to a physical sky
 """

@@ -13,7 +13,7 @@ from skydome.skies.suns.sun_disc import SunDisc, limb_mean
 
 @dataclass(frozen=True, eq=False)
 class PreethamSun(SunDisc):
-    """The sun of Preetham 1999, A.1, as a disc with limb darkening, 380-720 nm: `sky + PreethamSun(sun, turbidity)`.
+    """The sun of Preetham 1999, A.1, as a disc with limb darkening, 380-780 nm: `sky + PreethamSun(sun, turbidity)`.
 
     The mean of the disc is the extraterrestrial radiance of Table 2 times the transmittance of `ClearAir`. Hosek and
     Wilkie's published disc is 11 % darker at turbidity 2 and, in haze, brighter by factors (docs/sunlight.md).

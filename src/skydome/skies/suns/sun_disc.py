@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from skydome.ground.arguments import require_kind
+from skydome.ground.arguments import numbers, require_kind
 from skydome.ground.arrays import (
     Array,
     at_least,
@@ -29,7 +29,7 @@ from skydome.ground.limits.ranges import LIGHT, Range
 from skydome.ground.tables import archive
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.hosek_wilkie import TURBIDITIES, band_weights
+from skydome.skies.hosek_wilkie import BANDS, TURBIDITIES, band_weights
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, radius_at, solar_radius
 
@@ -59,9 +59,9 @@ def solar_radiance(turbidity: Array, sun_elevation: Array) -> Array:
 
 @settled
 def limb_coefficients(wavelengths: Any) -> np.ndarray:
-    """Coefficients of the limb polynomial in ascending powers of mu at wavelengths (W,) nm, shape (W, 6)."""
-    coefficients: np.ndarray = band_weights(wavelengths).T @ archive("hosek_wilkie_2013")["limb_darkening"]
-    return coefficients
+    """Coefficients of the limb polynomial in ascending powers of mu at (W,) nm, (W, 6); held beyond 320-720 nm."""
+    held = np.clip(numbers(wavelengths, "wavelengths"), BANDS[0], BANDS[-1])
+    return np.asarray(band_weights(held).T @ archive("hosek_wilkie_2013")["limb_darkening"])
 
 
 def limb_darkening(mu: Array, wavelengths: Any) -> Array:

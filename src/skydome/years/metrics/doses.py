@@ -8,9 +8,9 @@ from skydome.ground.arrays import safe_divide
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.ground.units import deg
+from skydome.light.action_spectra import melanopic_edi, photosynthetic_photons
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.suns.preetham_sun import PreethamSun
-from skydome.years.skies.action_spectra import melanopic_edi, photosynthetic_photons
 
 if TYPE_CHECKING:
     import xarray

@@ -9,5 +9,4 @@
 - twilight           Twilight in a coloured year: hours without irradiance take the light of the clear sky itself
 - cie_of_year        Which of the CIE's fifteen skies each hour of a year is nearest to
 - clouds             Clouds in a coloured year: how much of an hour's light they send, and its colour and spectrum
-- action_spectra     What a spectrum does: melanopic equivalent daylight illuminance and photosynthetic photons
 """

@@ -6,11 +6,11 @@ import numpy as np
 
 from skydome.dome.patches import Patches
 from skydome.ground.arrays import safe_divide
+from skydome.light.action_spectra import melanopic_edi, photosynthetic_photons
 from skydome.light.colour_temperature import colour_temperature
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.model import Model
-from skydome.years.skies.action_spectra import melanopic_edi, photosynthetic_photons
 from skydome.years.skies.clouds import cloud_share, overcast_light, overcast_xyz
 from skydome.years.skies.perez_year import PerezYear
 

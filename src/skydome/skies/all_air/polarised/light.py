@@ -10,7 +10,6 @@ from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.polarised.frame import SunFrame
 from skydome.skies.all_air.polarised.network import PolarisedRest
-from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.taught_air import same
 
 BLOCK = 4096
@@ -19,8 +18,8 @@ BLOCK = 4096
 
 def stokes_shares(
     network: PolarisedRest,
-    rest: Rest,
     laws: list[PhaseLaw],
+    rest: Array,
     once: list[Array],
     lit: LitAir,
     sun: Array,
@@ -29,13 +28,12 @@ def stokes_shares(
 ) -> Array:
     """I, Q and U over the intensity without polarisation, (..., W, 3).
 
-    `once`: what each constituent scatters once, per phase function, (..., W); suns (..., 3) where they stand, and
-    where they are seen, which is what phase functions are about.
+    `rest`: what is scattered more than once, without polarisation; `once`: what each constituent scatters once, per
+    phase function, (..., W) each; suns (..., 3) where they stand, and where they are seen, which phase functions go by.
     """
     xp = namespace(sun, views)
-    frame, glow, turn = SunFrame.of(sun, views), xp.sum(seen * views, axis=-1), cosine_of_turn(sun, views)
-    plain = rest.radiance(lit.numbers, sun[..., 2], lambda shapes: shapes.at(views[..., 2], turn))
-    excess, q, u = (plain * part for part in network.fields(lit.numbers, sun[..., 2], views[..., 2], frame))
+    frame, glow, plain = SunFrame.of(sun, views), xp.sum(seen * views, axis=-1), rest
+    excess, q, u = (rest * part for part in network.fields(lit.numbers, sun[..., 2], views[..., 2], frame))
     strength = 0.0 * plain
     for law, amount in zip(laws, once, strict=True):
         plain = plain + amount * same(law.value(glow, lit.wavelengths), plain)

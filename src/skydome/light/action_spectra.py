@@ -1,4 +1,4 @@
-"""What a spectrum does: melanopic equivalent daylight illuminance and photosynthetic photons.
+"""What a spectrum does: melanopic equivalent daylight illuminance, photosynthetic photons, the UV index.
 
 The melanopic action spectrum is computed, not read from the table of CIE S 026: a vitamin A1 pigment with its peak at
 480 nm (Govardovskii et al. 2000) behind the ocular media of a 32-year-old observer (van de Kraats and van Norren 2007
@@ -29,6 +29,9 @@ JOULES_OF_A_MICROMOLE = 6.02214076e23 * 6.62607015e-34 * 299792458.0 * 1e9 * 1e-
 """Energy of a micromole of photons times their wavelength in nm, J nm (SI constants)."""
 
 PHOTOSYNTHETIC = (400.0, 700.0)
+
+UV_INDEX_OF_A_WATT = 40.0
+"""UV index of erythemal irradiance, m2 W-1 (WHO 2002; CIE S 013)."""
 
 
 def integrated(spectrum: Any, wavelengths: Any, action: Any, edges: tuple[float, float]) -> np.ndarray:
@@ -109,4 +112,21 @@ def photosynthetic_photons(irradiance: Any, wavelengths: Any) -> np.ndarray:
     >>> round(float(photosynthetic_photons([1.0, 1.0], [400.0, 700.0])))
     1379
     """
-    return integrated(irradiance, wavelengths, lambda w: w / JOULES_OF_A_MICROMOLE, PHOTOSYNTHETIC)
+    return integrated(irradiance, wavelengths, photosynthetic_action, PHOTOSYNTHETIC)
+
+
+def photosynthetic_action(wavelengths: Any) -> np.ndarray:
+    """Micromoles of photons of a joule at `wavelengths` (W,), nm, (W,); 0 outside 400-700 nm."""
+    w = numbers(wavelengths, "wavelengths")
+    return np.where((w >= PHOTOSYNTHETIC[0]) & (w <= PHOTOSYNTHETIC[1]), w / JOULES_OF_A_MICROMOLE, 0.0)
+
+
+def erythemal_action(wavelengths: Any) -> np.ndarray:
+    """How much light reddens skin, 1 up to 298 nm, at `wavelengths` (W,), nm, (W,) (CIE S 007:1998, ISO 17166).
+
+    >>> erythemal_action([298.0, 310.0, 400.0, 401.0]).round(5).tolist()
+    [1.0, 0.07447, 0.00013, 0.0]
+    """
+    w = numbers(wavelengths, "wavelengths")
+    middle, high = 10 ** (0.094 * (298 - w)), 10 ** (0.015 * (140 - w))
+    return np.where(w <= 298, 1.0, np.where(w <= 328, middle, np.where(w <= 400, high, 0.0)))

@@ -1,0 +1,87 @@
+"""Airglow: the upper air's own light, lines and a continuum, stronger toward the horizon (van Rhijn 1921)."""
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.limits.ranges import Range
+from skydome.ground.units import EARTH_RADIUS
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.night.celestial import NightGlow
+from skydome.skies.night.magnitudes import luminance_of
+from skydome.skies.night.through_air import of_airglow
+
+LINES = {557.7: 250.0, 589.3: 60.0, 630.0: 80.0}
+"""Rayleighs of oxygen's green, sodium's and oxygen's red line in the zenith, usual ones (Leinert et al. 1998)."""
+
+RAYLEIGH = 1e10 / (4 * np.pi)
+"""Photons m-2 s-1 sr-1."""
+
+PHOTON = 1.98644586e-16
+"""Energy of a photon of 1 nm, J."""
+
+WIDTH = 10.0
+"""What a line is spread over, nm, so that spectra sampled every 10 nm have it whole."""
+
+LAYER = 90_000.0
+"""Height of the glowing layer, m."""
+
+TENTH_STARS = float(luminance_of(27.78))
+"""Luminance of one star of the 10th magnitude a square degree, cd m-2."""
+
+
+@dataclass(frozen=True, eq=False)
+class Airglow(NightGlow):
+    """Airglow seen from the ground, by the sun's radio flux at 10.7 cm, in solar flux units.
+
+    The zenith has 145 stars of the 10th magnitude a square degree at a flux of 80 and 275 at 200, in V (Benn and
+    Ellison 1998). It changes by a quarter from night to night, which no model knows.
+
+    >>> import skydome as sd
+    >>> from skydome.skies.night.magnitudes import surface_magnitude
+    >>> [round(float(surface_magnitude(Airglow(solar_flux=flux).luminance(sd.ZENITH))), 1) for flux in (80.0, 200.0)]
+    [22.4, 21.7]
+    """
+
+    solar_flux: Any = 100.0
+    ranges: ClassVar = {"solar_flux": Range(60.0, 400.0)}
+    source: ClassVar[str] = "Benn and Ellison 1998; van Rhijn 1921; air by Noll et al. 2012"
+    bands: ClassVar[np.ndarray] = np.arange(380.0, 741.0, 10.0)
+
+    @property
+    def zenith(self) -> float:
+        """Luminance of the zenith, cd m-2."""
+        return float(TENTH_STARS * (145.0 + 130.0 * (self.solar_flux - 80.0) / 120.0))
+
+    def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance of the zenith, W m-2 sr-1 nm-1, (W,): lines, and what is left of the level as an even continuum."""
+        quiet, weight = TENTH_STARS * 145.0, xyz_weights(self.bands)[:, 1]
+        rest = (quiet - lines(self.bands) @ weight) / weight.sum()
+        return np.asarray((lines(wavelengths) + rest) * (self.zenith / quiet))
+
+    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance (..., W)."""
+        rise = van_rhijn(views[..., 2])
+        left = self.air.dimmed(views[..., 2], wavelengths, *of_airglow(rise))
+        overhead = self.air.dimmed(np.ones(()), wavelengths, *of_airglow(np.ones(())))
+        return np.asarray(rise[..., None] * self.spectrum(wavelengths) * left / overhead)
+
+
+def van_rhijn(sine: np.ndarray) -> np.ndarray:
+    """How much longer a way through the layer is toward sines of elevations (...,) than upward.
+
+    >>> van_rhijn(np.array([1.0, 0.0])).round(1).tolist()
+    [1.0, 6.0]
+    """
+    level = (EARTH_RADIUS / (EARTH_RADIUS + LAYER)) ** 2
+    return np.asarray(1 / np.sqrt(1 - level * (1 - np.maximum(sine, 0.0) ** 2)))
+
+
+def lines(wavelengths: np.ndarray) -> np.ndarray:
+    """Radiance of the lines, each a triangle, W m-2 sr-1 nm-1, (W,)."""
+    total = np.zeros(wavelengths.size)
+    for centre, strength in LINES.items():
+        energy = strength * RAYLEIGH * PHOTON / centre
+        total += energy / WIDTH * np.maximum(1 - np.abs(wavelengths - centre) / WIDTH, 0.0)
+    return total

@@ -1,0 +1,140 @@
+"""Light from beyond the air that glows all over the sky: what its kinds share."""
+
+from abc import abstractmethod
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.ground.arrays import Array
+from skydome.ground.directions import checked_directions
+from skydome.ground.quadrature import hemisphere
+from skydome.light.spectrum import checked_wavelengths, xyz_weights
+from skydome.skies.all_air.taught_air import clear_air
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.night.held_dome import HeldDome
+from skydome.skies.night.stars import instant
+from skydome.skies.night.through_air import Air, of_celestial
+from skydome.sun.celestial import ecliptic_axes, place_axes
+from skydome.sun.place import Place
+from skydome.sun.times import Times
+
+UNIT = 1e-11
+"""1e-8 W m-2 um-1 sr-1, in which Leinert et al. and Noll et al. count, in W m-2 nm-1 sr-1."""
+
+
+NODES = (24, 48)
+"""Rings and columns on which the light on the horizontal is summed: within 0.5 % (tested)."""
+
+
+@dataclass(frozen=True, eq=False)
+class NightGlow(SpectralSky):
+    """A sky that glows at night whatever sun and moon do, seen through an `atmosphere`."""
+
+    atmosphere: Atmosphere = field(default_factory=clear_air)
+    kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.standard()")}
+    shines_at_night: ClassVar[bool] = True
+    bands: ClassVar[np.ndarray] = np.arange(380.0, 741.0, 20.0)
+
+    @property
+    def albedo(self) -> Any:
+        """The ground's."""
+        return self.atmosphere.albedo
+
+    @cached_property
+    def for_maps(self) -> HeldDome:
+        """Its colours on a fine grid of the dome."""
+        return HeldDome.of(self)
+
+    @property
+    def air(self) -> Air:
+        """The air that it is seen through."""
+        return Air(self.atmosphere)
+
+    @property
+    def on_level(self) -> np.ndarray:
+        """XYZ of the light on the horizontal, Y in lx, (3,)."""
+        nodes, angles = hemisphere(*NODES)
+        return np.asarray((angles * nodes[:, 2]) @ self.xyz(nodes))
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
+        views, w = np.asarray(checked_directions(directions), np.float64), checked_wavelengths(wavelengths)
+        return self.blanked(self.glow(views, w), views)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3)."""
+        return self.radiance(directions, self.bands) @ xyz_weights(self.bands)
+
+    @abstractmethod
+    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance (..., W) toward views (..., 3)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Celestial(NightGlow):
+    """Light from beyond the air, of a `turn` from the place's axes to those that it is known in, (3, 3)."""
+
+    turn: Any = field(default=None, kw_only=True)
+
+    @classmethod
+    def over(cls, place: Place, time: Times, air: Atmosphere | None = None) -> Self:
+        """That of one time at a place."""
+        at = np.array([instant(time)], dtype="datetime64[us]")
+        to_stars = place_axes(place, at)[0].T
+        return cls(clear_air() if air is None else air, turn=cls.own_axes(at) @ to_stars)
+
+    @staticmethod
+    @abstractmethod
+    def own_axes(utc: np.ndarray) -> np.ndarray:
+        """The rotation (3, 3) from the stars' axes at an instant (1,) to its own."""
+
+    @abstractmethod
+    def brightness(self, toward: np.ndarray) -> np.ndarray:
+        """What it sends at its own wavelength outside the air, W m-2 nm-1 sr-1, from directions (..., 3)."""
+
+    @abstractmethod
+    def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
+        """Its spectrum over that at its own wavelength, (W,)."""
+
+    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance (..., W), dimmed as Noll et al. 2012 have it for what glows all over."""
+        level = self.brightness(views @ np.asarray(self.turn).T)
+        left = self.air.dimmed(views[..., 2], wavelengths, *of_celestial(level / UNIT))
+        return np.asarray(level[..., None] * self.spectrum(wavelengths) * left)
+
+
+def sunward(utc: np.ndarray) -> np.ndarray:
+    """The rotation (3, 3) from the stars' axes to the ecliptic whose longitudes count from the sun, at (1,)."""
+    from skydome.sun.celestial import earth
+
+    ecliptic = ecliptic_axes(utc)[0]
+    sun = ecliptic @ -earth(utc)[0][0]
+    angle = np.arctan2(sun[1], sun[0])
+    c, s = np.cos(angle), np.sin(angle)
+    turned: np.ndarray = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]) @ ecliptic
+    return turned
+
+
+def table(name: str, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A table of `ground/data`: its rows' key (R,), its columns' (C,), its values (R, C)."""
+    from skydome.ground.tables import columns
+
+    found = dict(columns(name))
+    rows = found.pop(key)
+    return rows, np.array([float(heading) for heading in found]), np.stack(list(found.values()), axis=1)
+
+
+def bilinear(
+    rows: np.ndarray, columns: np.ndarray, values: np.ndarray, row: np.ndarray, column: np.ndarray
+) -> np.ndarray:
+    """Values (R, C) at places (...,) between rows and columns, the edges held."""
+    i = np.clip(np.searchsorted(rows, row) - 1, 0, rows.size - 2)
+    j = np.clip(np.searchsorted(columns, column) - 1, 0, columns.size - 2)
+    a = np.clip((row - rows[i]) / (rows[i + 1] - rows[i]), 0.0, 1.0)
+    b = np.clip((column - columns[j]) / (columns[j + 1] - columns[j]), 0.0, 1.0)
+    upper = values[i, j] * (1 - b) + values[i, j + 1] * b
+    lower = values[i + 1, j] * (1 - b) + values[i + 1, j + 1] * b
+    return np.asarray(upper * (1 - a) + lower * a)

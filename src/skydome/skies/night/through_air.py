@@ -1,0 +1,68 @@
+"""What the air does to the light of the heavens: it bends it, takes some, and scatters some of that back.
+
+Of a star the straight light is lost; of a sky that glows all over, light from beside comes in: Noll et al. 2012 give
+what depth it looks as if there were, as a share of the true one, for molecules and for aerosol.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.constituents import Molecules, Ozone
+from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.single_scattering import as_seen
+
+
+@dataclass(frozen=True, eq=False)
+class Air:
+    """The air over a place, as the light of the heavens meets it."""
+
+    atmosphere: Atmosphere
+
+    @property
+    def tables(self) -> ColumnTables:
+        """Columns of the air, and how it bends light."""
+        return ColumnTables.of(self.atmosphere)
+
+    def lifted(self, true: np.ndarray) -> np.ndarray:
+        """Where what stands toward directions (..., 3) without air is seen."""
+        return np.asarray(as_seen(self.tables, true))
+
+    def columns(self, sine: np.ndarray) -> np.ndarray:
+        """Columns of each constituent toward sines of apparent elevations (...,), in vertical ones, (..., K)."""
+        return np.asarray(self.tables.toward(np.zeros_like(sine), np.maximum(sine, 0.0)))
+
+    def transmittance(self, sine: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """What is left of the straight light toward sines of apparent elevations (...,), (..., W)."""
+        return self.dimmed(sine, wavelengths, 1.0, 1.0)
+
+    def dimmed(
+        self, sine: np.ndarray, wavelengths: np.ndarray, molecules: np.ndarray | float, aerosol: np.ndarray | float
+    ) -> np.ndarray:
+        """The same with shares (...,) of the depths of molecules and of aerosol; ozone takes what it takes."""
+        columns = self.columns(sine)
+        depth = np.zeros((*columns.shape[:-1], wavelengths.size))
+        for k, part in enumerate(self.atmosphere.constituents):
+            share = 1.0 if isinstance(part, Ozone) else molecules if isinstance(part, Molecules) else aerosol
+            depth += (columns[..., k] * share)[..., None] * np.asarray(part.depth(wavelengths))
+        return np.asarray(np.exp(-depth))
+
+
+def of_celestial(brightness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Shares of the depths of molecules and aerosol for light from beyond the air: Noll et al. 2012, eq. 16 and 17.
+
+    By its brightness (...,) in 1e-8 W m-2 um-1 sr-1. What is brighter than the rest of the sky loses more; what is
+    faint gains from it.
+    """
+    logarithm = np.log10(np.maximum(brightness, 1.0))
+    near = logarithm <= 2.244
+    molecules = np.where(near, 1.407 * logarithm - 2.692, 0.527 * logarithm - 0.715)
+    aerosol = np.where(near, 1.309 * logarithm - 2.598, 0.468 * logarithm - 0.702)
+    return molecules, aerosol
+
+
+def of_airglow(rise: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same for airglow, by its rise (...,) over the zenith's: Noll et al. 2012, eq. 27 and 28."""
+    logarithm = np.log10(rise)
+    return 1.669 * logarithm - 0.146, 1.732 * logarithm - 0.318
