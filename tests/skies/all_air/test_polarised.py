@@ -86,7 +86,7 @@ def test_neutral_points(elevation):
 def test_against_sasktran2(judge):
     """Twelve skies by day, 40 views, 400 and 600 nm: see docs/models/polarisation.md."""
     degrees, angles, plain, vector = [], [], [], []
-    for number, row in enumerate(judge.SKIES[:12]):
+    for number, row in enumerate(judge.SKIES):
         elevations, azimuths, light = golden(number)
         air = judge.air_of(row)
         sky = sd.PhysicalSky(sd.direction(0.5, row[0] * sd.deg), air)
@@ -98,11 +98,12 @@ def test_against_sasktran2(judge):
         vector.append(stokes[..., 0] / light[..., 0] - 1)
         plain.append(sky.radiance(views, judge.WAVELENGTHS) / sun / light[..., 0] - 1)
     off, angle = np.abs(degrees), np.concatenate(angles)
-    assert np.sqrt((off**2).mean()) < 0.006
+    assert np.sqrt((off**2).mean()) < 0.004
     assert off.max() < 0.02
-    assert np.sqrt((angle**2).mean()) < 0.6
-    assert np.quantile(angle, 0.99) < 2.0
-    assert np.std(vector) < 0.8 * np.std(plain)
+    assert np.sqrt((angle**2).mean()) < 0.5
+    assert angle.max() < 2.0
+    assert np.sqrt(np.mean(np.square(vector))) < 0.012
+    assert np.sqrt(np.mean(np.square(plain))) > 0.015
 
 
 def test_against_sasktran2_here(judge):
