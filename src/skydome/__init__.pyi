@@ -65,6 +65,7 @@ from skydome.ground.units import km as km
 from skydome.haze.aerial_perspective import AerialPerspective as AerialPerspective
 from skydome.haze.aerial_perspective import AirLight as AirLight
 from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspective
+from skydome.haze.layered_fog import LayeredFog as LayeredFog
 from skydome.haze.uniform_density import HoffmanPreetham as HoffmanPreetham
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
@@ -144,6 +145,7 @@ from skydome.skies.perez_all_weather import PerezAllWeather as PerezAllWeather
 from skydome.skies.physical.choice import physical_sky as physical_sky
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates as DiscreteOrdinates
 from skydome.skies.physical.held import held as held
+from skydome.skies.physical.klassen import Klassen87 as Klassen87
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
 from skydome.skies.physical.prague.sky import Prague as Prague
