@@ -1,4 +1,4 @@
-"""skydome: the light of the sky in every direction, by every published model, in stated units and one frame.
+"""skydome: the light of the sky in every direction, by the published models, in stated units and one frame.
 
 Frame: x east, y north, z up; azimuth clockwise from north; directions point toward the light. Angles in radians
 (`30 * deg`), places in degrees, wavelengths in nm, luminance in cd m-2, spectral radiance in W m-2 sr-1 nm-1.
