@@ -124,6 +124,7 @@ HOME = {
     "years.planes.light": "on_planes",
     "years.planes.sums": "monthly_sums cumulative_sky",
     "export.shaders": "shader shader_numbers",
+    "export.spectral_pictures": "save_spectra",
     "export.scenes.saving": "save_scene",
     "export.scenes.scene": "SkyScene",
     "export.scenes.sun_lamp": "SunLamp",

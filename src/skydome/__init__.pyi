@@ -34,6 +34,7 @@ from skydome.export.scenes.scene import SkyScene as SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp as SunLamp
 from skydome.export.shaders import shader as shader
 from skydome.export.shaders import shader_numbers as shader_numbers
+from skydome.export.spectral_pictures import save_spectra as save_spectra
 from skydome.eye.eye import Eye as Eye
 from skydome.eye.glare import glare as glare
 from skydome.eye.lens_flare import LensFlare as LensFlare

@@ -8,5 +8,6 @@
 - network_shader    A neural sky as shader code: the network under one sky, its weights as constants
 - disc_shader       The sun's disc added to a sky's code
 - held_shader       A physical sky as shader code: its table read, its phase functions in closed form
+- spectral_pictures  Maps of spectra: Radiance 6's .hsr, and OpenEXR in the spectral layout of Fichet et al.
 - scenes/           The sun as a lamp beside a map of the sky without it, in each renderer's own language
 """
