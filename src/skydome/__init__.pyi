@@ -15,10 +15,10 @@ from skydome.captures.scanned_sky import ScannedSky as ScannedSky
 from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
 from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
 from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
-from skydome.dome.energy import Broadband as Broadband
-from skydome.dome.energy import broadband as broadband
-from skydome.dome.energy import photosynthetic_photon_flux as photosynthetic_photon_flux
-from skydome.dome.energy import uv_index as uv_index
+from skydome.dome.energy.broadband import Broadband as Broadband
+from skydome.dome.energy.broadband import broadband as broadband
+from skydome.dome.energy.doses import photosynthetic_photon_flux as photosynthetic_photon_flux
+from skydome.dome.energy.doses import uv_index as uv_index
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance

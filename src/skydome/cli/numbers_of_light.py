@@ -45,7 +45,7 @@ def light_facts(scene: Scene) -> dict[str, Any]:
 def energy_facts(scene: Scene) -> dict[str, Any]:
     """Broadband irradiance, UV index and photons for plants, of skies that know them and air that was taught."""
     import skydome as sd
-    from skydome.dome.energy import knows_energy
+    from skydome.dome.energy.weighted import knows_energy
 
     if not knows_energy(scene.whole):
         return {}

@@ -10,7 +10,7 @@
 - network_rows   Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
 - held_rows      Rows of an equirectangular map of a sky held in a table
 - integrals      Integrals of the dome: what light falls on a plane
-- energy         Broadband irradiance, the UV index, photons for plants
+- energy/        Broadband irradiance, the UV index, photons for plants
 - patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
 - patch_means    The mean light of each patch of the sky, to a stated error: finer where the sky is steep
 - harmonics      Skies as spherical harmonics, smooth light in few numbers
