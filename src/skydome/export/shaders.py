@@ -58,7 +58,8 @@ def shader(
     numbers = Uniforms(spelling) if uniforms else CONSTANTS
     code = any_code(sky, spelling, scale, space, bands, numbers, free_sun)
     meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
-    told = f"a {'+'.join(kinds(sky))}, its numbers read" if uniforms else json.dumps(sky.parameters())
+    any_sun = f"a {'+'.join(kinds(sky))} under any sun" if free_sun else json.dumps(sky.parameters())
+    told = f"a {'+'.join(kinds(sky))}, its numbers read" if uniforms else any_sun
     head = [f"skydome {skydome.__version__}: {told}", meaning_of_bands(spectral(sky), scale) if bands else meaning]
     head = [f"{spelling.comment} {line}" for line in head]
     if lang == "c":
