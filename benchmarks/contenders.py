@@ -42,8 +42,14 @@ def ours(width: int) -> dict[str, Run]:
     }
     for name, sky in skies.items():
         runs[f"skydome {name}"] = lambda sky=sky: paint(
-            kernel, sky.numbers(sky.rgb_recipe()), sd.Equirectangular(), height, range(height // 2), out
+            kernel, sky.flat_numbers(sky.rgb_recipe()), sd.Equirectangular(), height, range(height // 2), out
         )
+    whole = np.empty((height, width, 3), np.float32)
+    for name, make in (
+        ("physical", lambda: sd.PhysicalSky(SUN)),
+        ("Hosek-Wilkie RGB", lambda: skies["Hosek-Wilkie RGB, map"]),
+    ):
+        runs[f"skydome {name}, whole sd.render of a new sun"] = lambda make=make: sd.render(make(), height, out=whole)
     sky, flat = skies["Hosek-Wilkie RGB, map"], out.reshape(-1, 3)
     runs["skydome Hosek-Wilkie RGB, directions"] = lambda: sky.rgb(toward, out=flat)
     runs["skydome NumPy rows float64 (no Numba)"] = lambda: paint_in_blocks(sky, height, out)
@@ -81,7 +87,7 @@ def neural(width: int) -> dict[str, Run]:
 
 def paint_in_blocks(sky: Any, height: int, out: np.ndarray) -> None:
     """The map by NumPy alone, as `render` makes it without Numba."""
-    light, step = sky.numbers(sky.rgb_recipe()), max(1, (1 << 17) // out.shape[1])
+    light, step = sky.flat_numbers(sky.rgb_recipe()), max(1, (1 << 17) // out.shape[1])
     for start in range(0, len(out), step):
         rows = range(start, min(start + step, len(out)))
         paint(None, light, sd.Equirectangular(), height, rows, out[start : rows.stop])
@@ -190,7 +196,7 @@ def years(directions: int) -> dict[str, Run]:
     toward = np.abs(random.normal(size=(directions, 3)))
     toward = sd.unit(toward).astype(np.float32)
     out = np.empty((hours, directions), np.float32)
-    light = sky.numbers(sky.luminance_recipe())
+    light = sky.flat_numbers(sky.luminance_recipe())
     kernel = fast_light.kernels()
 
     def formula() -> None:

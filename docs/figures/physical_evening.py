@@ -1,4 +1,5 @@
-"""Draws the physical sky of an evening, every two degrees from 20 to -16: docs/figures/physical_evening.png."""
+"""Draws the physical sky of an evening, every two degrees from 20 to -16, with the airglow behind it at last:
+docs/figures/physical_evening.png."""
 
 from pathlib import Path
 
@@ -19,7 +20,7 @@ def panorama(sun_elevation: float) -> np.ndarray:
     azimuths = np.linspace(-np.pi, np.pi, WIDTH, endpoint=False) + np.pi / WIDTH
     rows, columns = np.meshgrid(np.linspace(89.5, 0.4, HEIGHT) * deg, azimuths, indexing="ij")
     sun = sd.direction(azimuth=0.0, elevation=sun_elevation * deg)
-    sky = sd.PhysicalSky(sun, sd.clear_air(0.08, albedo=0.15)).held()
+    sky = sd.PhysicalSky(sun, sd.clear_air(0.08, albedo=0.15)).held() + sd.Airglow()
     light = np.maximum(sky.rgb(sd.direction(azimuth=columns, elevation=rows)), 0.0)
     level = np.exp(np.log(np.maximum(light @ SRGB.to_xyz[1], 1e-9)).mean())
     return (255 * encode_srgb(tone_mapped(light * (0.16 / level), Filmic()))).astype(np.uint8)

@@ -1,4 +1,4 @@
-"""skydome: the light of the sky in every direction, by every published model, in stated units and one frame.
+"""skydome: the light of the sky in every direction, by the published models, in stated units and one frame.
 
 Frame: x east, y north, z up; azimuth clockwise from north; directions point toward the light. Angles in radians
 (`30 * deg`), places in degrees, wavelengths in nm, luminance in cd m-2, spectral radiance in W m-2 sr-1 nm-1.
@@ -62,6 +62,7 @@ HOME = {
     "skies.all_air.taught_air": "clear_air",
     "skies.physical.discrete_ordinates": "DiscreteOrdinates",
     "skies.physical.nishita": "Nishita93 Nishita96",
+    "skies.physical.klassen": "Klassen87",
     "skies.physical.held": "held",
     "skies.path_tracing.sky": "PathTraced",
     "skies.physical.precomputed.tables": "ScatteringTables",
@@ -82,7 +83,8 @@ HOME = {
     "dome.render": "render",
     "dome.render_pixels": "render_pixels",
     "dome.integrals": "illuminance irradiance",
-    "dome.energy": "broadband uv_index photosynthetic_photon_flux Broadband",
+    "dome.energy.broadband": "broadband Broadband",
+    "dome.energy.doses": "uv_index photosynthetic_photon_flux",
     "dome.patch_means": "patch_means",
     "dome.harmonics": "SphericalHarmonics",
     "dome.bases.sky_basis": "SkyBasis ColourSkyBasis",
@@ -103,6 +105,7 @@ HOME = {
     "surroundings.light_kinds": "LightInLux LightInXYZ LightInRGB LightInWavelengths",
     "haze.aerial_perspective": "aerial_perspective AerialPerspective AirLight",
     "haze.uniform_density": "HoffmanPreetham",
+    "haze.layered_fog": "LayeredFog",
     "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "eye.eye": "Eye",
     "eye.view": "Camera HalfSphere",
@@ -122,6 +125,7 @@ HOME = {
     "years.planes.light": "on_planes",
     "years.planes.sums": "monthly_sums cumulative_sky",
     "export.shaders": "shader shader_numbers",
+    "export.spectral_pictures": "save_spectra",
     "export.scenes.saving": "save_scene",
     "export.scenes.scene": "SkyScene",
     "export.scenes.sun_lamp": "SunLamp",

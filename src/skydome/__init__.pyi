@@ -15,10 +15,10 @@ from skydome.captures.scanned_sky import ScannedSky as ScannedSky
 from skydome.dome.bases.preetham_harmonics import preetham_harmonics as preetham_harmonics
 from skydome.dome.bases.sky_basis import ColourSkyBasis as ColourSkyBasis
 from skydome.dome.bases.sky_basis import SkyBasis as SkyBasis
-from skydome.dome.energy import Broadband as Broadband
-from skydome.dome.energy import broadband as broadband
-from skydome.dome.energy import photosynthetic_photon_flux as photosynthetic_photon_flux
-from skydome.dome.energy import uv_index as uv_index
+from skydome.dome.energy.broadband import Broadband as Broadband
+from skydome.dome.energy.broadband import broadband as broadband
+from skydome.dome.energy.doses import photosynthetic_photon_flux as photosynthetic_photon_flux
+from skydome.dome.energy.doses import uv_index as uv_index
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
@@ -34,6 +34,7 @@ from skydome.export.scenes.scene import SkyScene as SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp as SunLamp
 from skydome.export.shaders import shader as shader
 from skydome.export.shaders import shader_numbers as shader_numbers
+from skydome.export.spectral_pictures import save_spectra as save_spectra
 from skydome.eye.eye import Eye as Eye
 from skydome.eye.glare import glare as glare
 from skydome.eye.lens_flare import LensFlare as LensFlare
@@ -65,6 +66,7 @@ from skydome.ground.units import km as km
 from skydome.haze.aerial_perspective import AerialPerspective as AerialPerspective
 from skydome.haze.aerial_perspective import AirLight as AirLight
 from skydome.haze.aerial_perspective import aerial_perspective as aerial_perspective
+from skydome.haze.layered_fog import LayeredFog as LayeredFog
 from skydome.haze.uniform_density import HoffmanPreetham as HoffmanPreetham
 from skydome.haze.ward_larson import WardLarson as WardLarson
 from skydome.haze.ward_larson import WardLarsonMeanSky as WardLarsonMeanSky
@@ -144,6 +146,7 @@ from skydome.skies.perez_all_weather import PerezAllWeather as PerezAllWeather
 from skydome.skies.physical.choice import physical_sky as physical_sky
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates as DiscreteOrdinates
 from skydome.skies.physical.held import held as held
+from skydome.skies.physical.klassen import Klassen87 as Klassen87
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
 from skydome.skies.physical.prague.sky import Prague as Prague

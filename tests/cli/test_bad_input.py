@@ -1,5 +1,6 @@
 """Bad input: exit code 2, one clear line on stderr, no traceback, no file left."""
 
+import json
 import os
 import signal
 import subprocess
@@ -91,10 +92,16 @@ def test_a_sun_below_the_horizon_is_refused_with_its_twilight(refused, tmp_path,
     assert list(tmp_path.iterdir()) == []
 
 
-def test_twilight_needs_no_other_model_and_night_is_refused(refused, call, tmp_path):
+def test_twilight_and_night_need_no_other_model(refused, call, tmp_path):
     dusk = (*PLACE, "--time", "2026-06-21T22:20+02:00", "--height", "16", "-o", tmp_path / "sky.exr")
     assert call("render", *dusk).exit_code == 0
-    line = refused("render", *PLACE, "--time", "2026-12-21T23:00+01:00", "-o", tmp_path / "night.exr")
+    night = (*PLACE, "--time", "2026-12-21T23:00+01:00", "--height", "16", "-o", tmp_path / "night.png")
+    made = json.loads(call("render", *night, "--json").stdout)
+    assert 5e-4 < made["illuminance_lx"]["global"] < 0.3
+    assert -9 < made["exposure_ev"] < 1
+    for option in (("--north", "20"), ("--sun-size", "2"), ("--blend-overcast", "0.5"), ("--dni", "100")):
+        assert "the sun" in refused("render", *night, *option)
+    line = refused("render", "--sun", "0,-30", "-o", tmp_path / "night.exr")
     assert "the sun must stand above -18 degrees" in line
     assert "(night)" in line
 

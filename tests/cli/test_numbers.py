@@ -97,7 +97,8 @@ NAMES = [
     *(f"cie-{kind}" for kind in range(1, 16)),
     "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "harrison-coombes", "pokrowski",
     "moon-spencer", "uniform",
-    "discrete-ordinates", "nishita-1993", "nishita-1996", "path-traced",
+    "discrete-ordinates", "klassen-1987", "nishita-1993", "nishita-1996", "precomputed",
+    "path-traced",
 ]  # fmt: skip
 
 
@@ -110,7 +111,9 @@ def test_every_model_gives_the_light_of_a_day(facts, when, name):
     assert light["global"] == pytest.approx(light["diffuse"] + light["direct"])
     overcast = name in ("moon-spencer", "uniform", *(f"cie-{kind}" for kind in range(1, 6)))
     assert (light["direct"] == 0) == (overcast or name == "perez")
-    coloured = name.startswith(("physical", "discrete", "nishita", "path", "hosek", "preetham", "neural"))
+    coloured = name.startswith(
+        ("physical", "discrete", "klassen", "nishita", "precomputed", "path", "hosek", "preetham", "neural")
+    )
     assert any("D65" in note for note in told["notes"]) != coloured
 
 
@@ -135,7 +138,7 @@ def test_models_lists_every_model(facts, call):
         ("neural-hosek-wilkie-spectral", {"--sun", "--turbidity", "--albedo"}),
         ("cie-12", {"--sun", "--zenith-luminance", "--illuminance"}),  # its type is settled
         ("uniform", {"--zenith-luminance", "--illuminance"}),
-        ("path-traced", {"--sun", "--turbidity", "--albedo", "--until", "--paths"}),
+        ("path-traced", {"--sun", "--turbidity", "--albedo", "--altitude", "--until", "--paths"}),
     ],
 )
 def test_models_list_what_a_user_gives(facts, name, options):

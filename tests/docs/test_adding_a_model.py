@@ -116,7 +116,7 @@ def test_a_coloured_year(run, tmp_path):
     done = run("-m", "skydome", "year", str(weather), "--colour", "soft-glow", "-o", str(tmp_path / "day.nc"))
     assert done.returncode == 0, done.stderr
     done = run("-m", "skydome", "year", str(weather), "--colour", "perez", "-o", str(tmp_path / "no.nc"))
-    assert "colour must be one of soft-glow, hosek-wilkie, preetham, got 'perez'" in done.stderr
+    assert "colour must be one of soft-glow, physical, hosek-wilkie, preetham, got 'perez'" in done.stderr
 
 
 def test_it_is_fitted_taught_and_evaluated(run):

@@ -128,6 +128,7 @@ PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 PHYSICAL = {
     "prague": lambda sun: sd.Prague(sun, PRAGUE),
     "scanned": lambda sun: sd.ScannedSky((scan_of(OVERCAST_SKY),)),
+    "klassen-87": lambda sun: sd.Klassen87(sun, AIR),
     "nishita-93": lambda sun: sd.Nishita93(sun, AIR),
     "nishita-96": lambda sun: sd.Nishita96(sun, AIR, rings=4),
     "discrete-ordinates": lambda sun: sd.DiscreteOrdinates(sun, AIR),

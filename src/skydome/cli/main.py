@@ -126,7 +126,7 @@ def skydome(
         bool, typer.Option(DEBUG, help="Show where in the program an error came from, before its line.")
     ] = False,
 ) -> None:
-    """The light of the sky, from a place, a time and the air: maps, numbers and plots by every published model.
+    """The light of the sky, from a place, a time and the air: maps, numbers and plots by the published models.
 
     Azimuth runs clockwise from north; angles are degrees here; luminance is in cd m-2, illuminance in lx.
     """

@@ -1,5 +1,6 @@
 """The file of a map: what the options ask of it, its writing, and what is said of it."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -29,6 +30,23 @@ def exposure_from(text: str) -> float:
     if not 0 < factor < float("inf"):
         raise ValueError(f"an exposure must be finite and more than 0, got {text}")
     return factor
+
+
+def exposure_value(factor: float) -> float:
+    """The exposure value at ISO 100 of a factor per cd m-2.
+
+    >>> round(exposure_value(exposure_from("15EV")), 9)
+    15.0
+    """
+    return -math.log2(1.2 * factor)
+
+
+def exposure_of(picture: "EnvironmentMap", given: float | None) -> float:
+    """The factor per cd m-2 of a picture: the one given, or that which its content asks for."""
+    from skydome.light.tone import auto_exposure
+
+    angles = picture.projection.solid_angles(picture.height)
+    return auto_exposure(picture.luminance(), angles) if given is None else given
 
 
 Exposure = Annotated[
@@ -106,6 +124,7 @@ def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options:
         "space": space.name,
         "white_luminance_cd_m2": file_white(picture, path, layout, options.half, options.white),
         "exposure": options.exposure,
+        **({"exposure_ev": exposure_value(exposure_of(picture, options.exposure))} if suffix == ".png" else {}),
         "notes": [] if suffix == ".png" else colour_notes(picture, space, options.gamut),
     }
 
@@ -131,6 +150,9 @@ def file_rows(facts: dict[str, Any]) -> dict[str, str]:
     white = facts["white_luminance_cd_m2"]
     unit = {} if white is None else {"unit": f"RGB times {white:g} is cd m-2"}
     exposure = {} if facts["exposure"] is None else {"exposure": f"{facts['exposure']:g} per cd m-2"}
+    if "exposure_ev" in facts:
+        how = "by its content" if facts["exposure"] is None else exposure["exposure"]
+        exposure = {"exposure": f"{facts['exposure_ev']:.1f} EV, {how}"}
     return {
         "file": facts["file"],
         "size": size,

@@ -45,7 +45,7 @@ def light_facts(scene: Scene) -> dict[str, Any]:
 def energy_facts(scene: Scene) -> dict[str, Any]:
     """Broadband irradiance, UV index and photons for plants, of skies that know them and air that was taught."""
     import skydome as sd
-    from skydome.dome.energy import knows_energy
+    from skydome.dome.energy.weighted import knows_energy
 
     if not knows_energy(scene.whole):
         return {}
@@ -92,10 +92,10 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         rows["place"] = place_text(**facts["place"])
         rows["time"] = facts["time"]
     rows |= sky_rows(facts) | {
-        "zenith luminance": f"{facts['zenith_luminance_cd_m2']:,.0f} cd m-2",
-        "diffuse horizontal": f"{light['diffuse']:,.0f} lx",
-        "direct horizontal": f"{light['direct']:,.0f} lx ({light['direct_normal']:,.0f} lx facing the sun)",
-        "global horizontal": f"{light['global']:,.0f} lx",
+        "zenith luminance": f"{amount(facts['zenith_luminance_cd_m2'])} cd m-2",
+        "diffuse horizontal": f"{amount(light['diffuse'])} lx",
+        "direct horizontal": f"{amount(light['direct'])} lx ({amount(light['direct_normal'])} lx facing the sun)",
+        "global horizontal": f"{amount(light['global'])} lx",
         **energy_rows(facts),
         "colour temperature": ", ".join(
             f"{name} {kelvin(value)}" for name, value in facts["colour_temperature_K"].items()
@@ -115,6 +115,15 @@ def energy_rows(facts: dict[str, Any]) -> dict[str, str]:
         "UV index": "none: haze deeper than was taught" if index is None else f"{index:.1f}",
         "photons for plants": f"{facts['photosynthetic_photons_umol_m2_s']:,.0f} umol m-2 s-1",
     }
+
+
+def amount(value: float) -> str:
+    """A number of light as people read it, at night as by day.
+
+    >>> amount(12345.6), amount(0.00112345), amount(0.0)
+    ('12,346', '0.00112', '0')
+    """
+    return f"{value:,.0f}" if value >= 100 or not value > 0 else f"{value:.3g}"
 
 
 def sky_rows(facts: dict[str, Any]) -> dict[str, str]:

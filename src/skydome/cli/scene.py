@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_twilight
+from skydome.cli.night.whole_scene import shows_the_night, whole_light
 from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
@@ -29,15 +30,18 @@ class Scene:
     notes: tuple[str, ...]
 
 
-def scene_of(options: SkyOptions, north: float = 0.0) -> Scene:
+def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) -> Scene:
     """The light by the options, north being `north` degrees from true north; ValueError in one line for what cannot be.
 
-    The scene's `moment` keeps the true angles.
+    The scene's `moment` keeps the true angles. `any_hour`: of the physical sky every light when the sun has set.
     """
     from skydome.skies.catalogue import model_named
 
     model = model_named(options.model)
     options, haze = hazed(model, options)
+    if any_hour and shows_the_night(model, options):
+        light = whole_light(model, options, north)
+        return Scene(model.name, light.sky, light.whole, None, light.moment, light.notes)
     true = moment_for(model, options)
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)

@@ -2,8 +2,7 @@
 
 - render         Maps of skies: the sky above, the ground below, the sun's energy exact
 - render_pixels  Maps of one sky or many in the library of their parameters, differentiable
-- sun_on_map     The sun's disc on the texels of a map, its energy and its place kept
-- points_on_map  Points of light on the texels of a map: the energy and the place of each kept
+- small_lights/  Lights smaller than the texels of a map: the sun, the moon, stars
 - ground_light   The ground of a map, a Lambertian plane under its sky
 - painting       The light of skies written into the pixels of a map, whole or some rows at a time
 - sources        Skies ready to be painted, each kind by its rows or direction by direction
@@ -11,8 +10,7 @@
 - network_rows   Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
 - held_rows      Rows of an equirectangular map of a sky held in a table
 - integrals      Integrals of the dome: what light falls on a plane
-- tregenza       Tregenza's rows of patches, the numbers alone
-- energy         Broadband irradiance, the UV index, photons for plants
+- energy/        Broadband irradiance, the UV index, photons for plants
 - patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area
 - patch_means    The mean light of each patch of the sky, to a stated error: finer where the sky is steep
 - harmonics      Skies as spherical harmonics, smooth light in few numbers

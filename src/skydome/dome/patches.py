@@ -6,11 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
-from skydome.dome.tregenza import TREGENZA_COUNTS
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import azimuth, direction, elevation
 from skydome.ground.quadrature import gauss_legendre
+from skydome.ground.tables import columns
 
 NAMES = "tregenza, reinhart:N or equal-area:N with N from 1 to 12"
 FINEST = 12
@@ -150,7 +150,7 @@ def reinhart_counts(division: int) -> np.ndarray:
     """Patches in each row of Reinhart's MF:n, the zenith's 1 last; ValueError for n outside 1-12."""
     if division != int(division) or not 1 <= division <= FINEST:
         raise ValueError(f"patches must be {NAMES}, got N = {division}")
-    return np.append(np.repeat(TREGENZA_COUNTS, division) * division, 1)
+    return np.append(np.repeat(columns("tregenza")["patches"].astype(np.int64), division) * division, 1)
 
 
 def tregenza() -> Patches:

@@ -7,8 +7,8 @@ import numpy as np
 from skydome.dome.ground_light import ground_rgb
 from skydome.dome.integrals import colourless, discs_and_rest, extended, own_array, points_of
 from skydome.dome.painting import paint_rows
-from skydome.dome.points_on_map import add_points
-from skydome.dome.sun_on_map import add_disc
+from skydome.dome.small_lights.points_on_map import add_points
+from skydome.dome.small_lights.sun_on_map import add_disc
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import as_numpy, brief, constant, is_array, is_labelled, is_numpy
 from skydome.ground.directions import ZENITH

@@ -6,7 +6,9 @@
 - formula_shader    The nine-number formula as shader code: one sky's coefficients as constants
 - basis_shader      A sky in a basis as shader code: its functions written out, its coefficients as constants
 - network_shader    A neural sky as shader code: the network under one sky, its weights as constants
+- free_network_shader  A neural sky as a function of direction, sun and turbidity, its weights the only numbers
 - disc_shader       The sun's disc added to a sky's code
 - held_shader       A physical sky as shader code: its table read, its phase functions in closed form
+- spectral_pictures  Maps of spectra: Radiance 6's .hsr, and OpenEXR in the spectral layout of Fichet et al.
 - scenes/           The sun as a lamp beside a map of the sky without it, in each renderer's own language
 """

@@ -18,7 +18,8 @@ class Language:
     direction, `answer` returns three numbers. `direction` spells the components of the direction. `many` heads a
     function of a direction to `count` numbers, which `put` writes one by one, or `together` returns. Where the sky's
     numbers are not constants, `reader` declares how they are read, `read` reads one by an index, `whole` makes an index
-    of a number, and `colour_of` and `many_of` head the functions.
+    of a number, and `colour_of` and `many_of` head the functions. `free` and `free_of` head the function of a
+    direction, a sun and a turbidity.
     """
 
     name: str
@@ -39,6 +40,8 @@ class Language:
     whole: str = "int({x})"
     colour_of: str = ""
     many_of: str = ""
+    free: str = ""
+    free_of: str = ""
 
     def spelled(self, code: str) -> str:
         """Code in this language's spelling of numbers and functions."""
@@ -57,6 +60,10 @@ class Language:
         head = self.scalar.format(name=name, arguments=", ".join(self.argument.format(name=a) for a in arguments))
         body = [self.constant(*line) for line in lines]
         return "\n".join([f"{head} {{", *body, self.spelled(f"    return {result};"), "}"])
+
+    def under_any_sun(self) -> "Language":
+        """The same with functions of a direction, a sun and a turbidity."""
+        return replace(self, colour=self.free, colour_of=self.free_of or self.free)
 
     def reading(self) -> "Language":
         """The same with functions that read their sky's numbers."""
@@ -103,18 +110,21 @@ GLSL = Language(
     scalar="float {name}({arguments})", colour="vec3 {name}(vec3 direction)",
     answer="return vec3({r}, {g}, {b});", direction=XYZ,
     many="void {name}(vec3 direction, out float values[{count}])", reader=GLSL_READER,
+    free="vec3 {name}(vec3 direction, vec3 sun, float turbidity)",
 )  # fmt: skip
 HLSL = Language(
     name="hlsl", comment="//", let="float {name} = {expression};", argument="float {name}",
     scalar="float {name}({arguments})", colour="float3 {name}(float3 direction)",
     answer="return float3({r}, {g}, {b});", direction=XYZ,
     many="void {name}(float3 direction, out float values[{count}])", reader=HLSL_READER,
+    free="float3 {name}(float3 direction, float3 sun, float turbidity)",
 )  # fmt: skip
 WGSL = Language(
     name="wgsl", comment="//", let="let {name} = {expression};", argument="{name}: f32",
     scalar="fn {name}({arguments}) -> f32", colour="fn {name}(direction: vec3<f32>) -> vec3<f32>",
     answer="return vec3<f32>({r}, {g}, {b});", direction=XYZ,
     many="fn {name}(direction: vec3<f32>) -> array<f32, {count}>", together="return array<f32, {count}>({all});",
+    free="fn {name}(direction: vec3<f32>, sun: vec3<f32>, turbidity: f32) -> vec3<f32>",
     reader=WGSL_READER, read="skydome_number({k})", whole="i32({x})",
 )  # fmt: skip
 OSL = Language(
@@ -123,6 +133,8 @@ OSL = Language(
     answer="return color({r}, {g}, {b});", direction=INDEXED,
     many="void {name}(vector direction, output float values[{count}])", reader=ARRAY_READER, whole="(int)({x})",
     colour_of="color {name}(vector direction, float numbers[])",
+    free="color {name}(vector direction, vector sun, float turbidity)",
+    free_of="color {name}(vector direction, vector sun, float turbidity, float numbers[])",
     many_of="void {name}(vector direction, float numbers[], output float values[{count}])",
 )  # fmt: skip
 C = Language(
@@ -131,6 +143,9 @@ C = Language(
     answer="rgb[0] = {r}; rgb[1] = {g}; rgb[2] = {b};", direction=INDEXED, suffix="f",
     many="void {name}(const float direction[3], float values[{count}])", reader=ARRAY_READER, whole="(int)({x})",
     colour_of="void {name}(const float direction[3], const float numbers[], float rgb[3])",
+    free="void {name}(const float direction[3], const float sun[3], float turbidity, float rgb[3])",
+    free_of="void {name}(const float direction[3], const float sun[3], float turbidity, const float numbers[], "
+    "float rgb[3])",
     many_of="void {name}(const float direction[3], const float numbers[], float values[{count}])",
     functions=tuple(C_FUNCTIONS.items()),
 )  # fmt: skip

@@ -10,6 +10,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.export.basis_shader import basis_code
 from skydome.export.disc_shader import with_disc
 from skydome.export.formula_shader import Code, formula_code
+from skydome.export.free_network_shader import free_network_code
 from skydome.export.held_shader import held_code
 from skydome.export.network_shader import bands_code, network_code
 from skydome.export.shader_languages import Language, language
@@ -33,6 +34,7 @@ def shader(
     space: RGBSpace = SRGB,
     bands: bool = False,
     uniforms: bool = False,
+    free_sun: bool = False,
 ) -> str:
     """Source of `skydome_rgb(direction)`: linear RGB of the sky toward a unit vector (x east, y north, z up).
 
@@ -42,7 +44,8 @@ def shader(
     (`SkyBasis.fit`); added to a sun's disc or not. TypeError for others, ValueError for a sky of more than one
     condition, or at night. With `uniforms` the code reads its numbers, which `shader_numbers` gives: one text serves
     every sun and air of a model, and an animation compiles it once; physical skies too. With `bands`, for a spectral
-    network: `skydome_bands`, the spectral radiance in each of its bands, 1 meaning 1 / `scale` W m-2 sr-1 nm-1.
+    network: `skydome_bands`, the spectral radiance in each of its bands, 1 meaning 1 / `scale` W m-2 sr-1 nm-1. With
+    `free_sun`, for a network: `skydome_rgb(direction, sun, turbidity)`, whose numbers are the weights alone.
 
     >>> import skydome as sd
     >>> code = sd.shader(sd.HosekWilkieRGB(sd.direction(azimuth=1.0, elevation=0.7), turbidity=3.0), "wgsl")
@@ -50,10 +53,13 @@ def shader(
     True
     """
     require_kind(uniforms, bool, "uniforms", "True")
-    spelling = language(lang).reading() if uniforms else language(lang)
-    code = sky_code(sky, spelling, scale, space, bands, Uniforms(spelling) if uniforms else CONSTANTS)
+    spelling = language(lang).under_any_sun() if free_sun else language(lang)
+    spelling = spelling.reading() if uniforms else spelling
+    numbers = Uniforms(spelling) if uniforms else CONSTANTS
+    code = any_code(sky, spelling, scale, space, bands, numbers, free_sun)
     meaning = f"Linear {space.name} toward a unit vector, x east, y north, z up; (1, 1, 1) = {1 / scale:g} cd m-2."
-    told = f"a {'+'.join(kinds(sky))}, its numbers read" if uniforms else json.dumps(sky.parameters())
+    any_sun = f"a {'+'.join(kinds(sky))} under any sun" if free_sun else json.dumps(sky.parameters())
+    told = f"a {'+'.join(kinds(sky))}, its numbers read" if uniforms else any_sun
     head = [f"skydome {skydome.__version__}: {told}", meaning_of_bands(spectral(sky), scale) if bands else meaning]
     head = [f"{spelling.comment} {line}" for line in head]
     if lang == "c":
@@ -65,7 +71,9 @@ def shader(
     return "\n\n".join(parts) + "\n"
 
 
-def shader_numbers(sky: Sky, *, scale: float = 1.0, space: RGBSpace = SRGB, bands: bool = False) -> np.ndarray:
+def shader_numbers(
+    sky: Sky, *, scale: float = 1.0, space: RGBSpace = SRGB, bands: bool = False, free_sun: bool = False
+) -> np.ndarray:
     """The numbers that the code of `shader(sky, ..., uniforms=True)` reads, float32 (N,), the same in every language.
 
     >>> import skydome as sd
@@ -76,13 +84,26 @@ def shader_numbers(sky: Sky, *, scale: float = 1.0, space: RGBSpace = SRGB, band
     (42,)
     """
     numbers = Uniforms(language("c"))
-    sky_code(sky, language("c"), scale, space, bands, numbers)
+    any_code(sky, language("c"), scale, space, bands, numbers, free_sun)
     return np.asarray(numbers.values, np.float32)
 
 
 def kinds(sky: Sky) -> list[str]:
     """The class names of a sky's parts."""
     return [type(part.single[0]).__name__ for part in sky.parts]
+
+
+def any_code(
+    sky: Sky, spelling: Language, scale: float, space: RGBSpace, bands: bool, numbers: Numbers, free_sun: bool
+) -> Code:
+    """The code of a sky under its own sun, or of a network under any; TypeError for other skies under any sun."""
+    require_kind(free_sun, bool, "free_sun", "True")
+    if not free_sun:
+        return sky_code(sky, spelling, scale, space, bands, numbers)
+    if not isinstance(sky, NeuralForm) or bands:
+        raise TypeError(f"only a network's RGB, without a disc, is a function of the sun, got {type(sky).__name__}")
+    require("scale", scale, SCALE)
+    return free_network_code(sky, spelling, scale, space, numbers)
 
 
 def sky_code(sky: Sky, spelling: Language, scale: float, space: RGBSpace, bands: bool, numbers: Numbers) -> Code:

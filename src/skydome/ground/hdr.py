@@ -44,15 +44,20 @@ def one_line(value: object) -> str:
 
 def encode_rgbe(pixels: np.ndarray) -> np.ndarray:
     """Bytes (H, W, 4), three mantissas and the exponent, of RGB (H, W, 3)."""
+    return encode_shared(pixels)
+
+
+def encode_shared(pixels: np.ndarray) -> np.ndarray:
+    """Bytes (H, W, N + 1), a mantissa of each component and the exponent that they share, of pixels (H, W, N)."""
     peak = pixels.max(axis=-1, initial=0.0)
     if not np.all(np.isfinite(pixels)) or peak.max(initial=0.0) >= 2.0**127:
         raise ValueError(f"pixels must be finite and below 2^127 for a Radiance picture, got {peak.max(initial=0.0):g}")
     _, exponent = np.frexp(peak)
     lit = (peak > 0) & (exponent > -128)
-    result = np.zeros((*peak.shape, 4), dtype=np.uint8)
+    result = np.zeros((*peak.shape, pixels.shape[-1] + 1), dtype=np.uint8)
     mantissa = np.ldexp(np.maximum(pixels, 0.0), np.where(lit, 8 - exponent, 0)[..., None])
-    result[..., :3] = np.where(lit[..., None], np.minimum(mantissa, 255.0), 0.0)
-    result[..., 3] = np.where(lit, exponent + 128, 0)
+    result[..., :-1] = np.where(lit[..., None], np.minimum(mantissa, 255.0), 0.0)
+    result[..., -1] = np.where(lit, exponent + 128, 0)
     return result
 
 

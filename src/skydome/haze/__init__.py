@@ -9,5 +9,6 @@
 - kernel              Aerial perspective of RGB images in float32, the second form of `FewNodes(8)`
 - published           The published closed form of aerial perspective, and quadrature to judge it by
 - uniform_density     Air of one density, Hoffman and Preetham's closed form of games
+- layered_fog         Fog in level layers, each of one density, Max's closed form
 - ward_larson         Ward-Larson's fog, the older form of aerial perspective, as Preetham 1999
 """

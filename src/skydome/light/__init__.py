@@ -7,6 +7,7 @@
 - action_spectra      What a spectrum does: to body clocks, to plants, to skin
 - irradiance          Measured irradiances of sun and sky: their limits and the reasons
 - decomposition       Global irradiance split into diffuse and direct where it is all that was measured
+- radiance_bands      Spectra as Radiance 6 has them: even bands, from long waves to short
 - tone                From scene to screen: exposure, and curves that bring any brightness into 0..1, hue kept
 - daylight            Daylight: the spectrum of the CIE D series that has a given colour and luminance
 """

@@ -31,6 +31,7 @@ from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.perez import Perez
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
+from skydome.skies.physical.klassen import Klassen87
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.physical.prague.file import read_prague
 from skydome.skies.physical.prague.sky import Prague
@@ -116,6 +117,11 @@ CATALOGUE: tuple[Model, ...] = (
         "discrete-ordinates",
         DiscreteOrdinates,
         failures="no polarisation (up to 7 % at 400 nm); one lobe cannot have both the aureole and the sides right",
+    ),
+    AirModel(
+        "klassen-1987",
+        Klassen87,
+        failures="one scattering in flat layers: too dark, and a low sun goes through too much air",
     ),
     AirModel(
         "nishita-1993",

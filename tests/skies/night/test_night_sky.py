@@ -70,6 +70,9 @@ def test_energy_and_place_of_stars_on_maps():
         np.testing.assert_allclose(light.sum(), whole, rtol=1e-9)
         views = picture.projection.directions(height)
         np.testing.assert_allclose(np.einsum("rc,rcd->d", light, views), mean, atol=2e-3 * whole)
+    round_map = sd.render(stars, 200, projection=sd.Fisheye(), ground_albedo=0.0, dtype=np.float64)
+    light = round_map.pixels @ sd.SRGB.to_xyz[1] * round_map.projection.solid_angles(200)
+    np.testing.assert_allclose(light.sum(), whole, rtol=1e-9)
     outside = illuminance_of(hipparcos(6.5).magnitude)
     np.testing.assert_allclose(outside.sum(), 2.44e-4, rtol=0.01)
 

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.light.radiance_bands import splits_of
 from skydome.years.gendaymtx.text import read
-from skydome.years.stores.spectral_matrix import splits_of, write_spectral_matrix
+from skydome.years.stores.spectral_matrix import write_spectral_matrix
 
 
 @pytest.fixture(scope="module")

@@ -23,7 +23,7 @@ def light(
     import skydome as sd
 
     facing = None if normal is None else pointing(normal, "--normal")
-    scene = scene_of(options)
+    scene = scene_of(options, any_hour=True)
     facts = light_facts(scene)
     rows = light_rows(facts)
     if facing is not None:

@@ -33,6 +33,9 @@ def shader(
         Path | None,
         Option(metavar="FILE", help="The code reads its numbers; this sky's go into FILE: .json, or .bin of float32."),
     ] = None,
+    free_sun: Annotated[
+        bool, Option("--free-sun", help="Of a network: a function of direction, sun and turbidity.")
+    ] = False,
     disc: Annotated[bool, Option("--disc", help="With the sun's disc.")] = False,
     output: Annotated[Path | None, Option("--output", "-o", help="File; stdout without it.")] = None,
     as_json: AsJson = False,
@@ -53,9 +56,9 @@ def shader(
     sky: sd.Sky = scene.sky if basis is None else sd.SkyBasis.fit(scene.sky, kind, order)
     if disc and scene.disc is not None:
         sky = sky + scene.disc
-    source = sd.shader(sky, lang, scale=scale, bands=bands, uniforms=uniforms is not None)
+    source = sd.shader(sky, lang, scale=scale, bands=bands, uniforms=uniforms is not None, free_sun=free_sun)
     if uniforms is not None:
-        write_numbers(uniforms, sd.shader_numbers(sky, scale=scale, bands=bands))
+        write_numbers(uniforms, sd.shader_numbers(sky, scale=scale, bands=bands, free_sun=free_sun))
     if output is None and not as_json:
         sys.stdout.write(source)
         return

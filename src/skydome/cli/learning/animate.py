@@ -6,7 +6,8 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
-from skydome.cli.map_file import Half
+from skydome.cli.map_file import Exposure, Half
+from skydome.cli.night.film import film_of, show_film
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
@@ -17,8 +18,10 @@ Layout = Annotated[str, Option(help=f"How the maps lie in their files: {LAYOUTS}
 
 
 def animate(
-    folder: Annotated[Path, Argument(help="A folder of .exr or .hdr captures of one day.", metavar="CAPTURES")],
     output: Annotated[Path, Option("--output", "-o", help="The folder for the frames; made if it is not there.")],
+    folder: Annotated[
+        Path | None, Argument(help="A folder of .exr or .hdr captures of one day; or --date.", metavar="[CAPTURES]")
+    ] = None,
     frames: Annotated[int, Option(help="How many frames, from the first capture to the last.")] = 240,
     layout: Layout = "latlong",
     place: Annotated[
@@ -34,9 +37,21 @@ def animate(
         str, Option(metavar="NAME", help="The day's network: maps, or published with the paper's output and loss.")
     ] = "maps",
     half: Half = True,
+    date: Annotated[
+        str | None,
+        Option(metavar="2026-08-12", help="No captures: a day and its night at --place, by the physical sky."),
+    ] = None,
+    step: Annotated[str, Option(metavar="10min", help="Time between the frames of --date.")] = "10min",
+    height: Annotated[int, Option(help="Rows of the frames of --date.")] = 512,
+    exposure: Exposure = None,
     as_json: AsJson = False,
 ) -> None:
-    """Train a neural sky on captures of a day and write smooth frames between them; goes on where it was stopped."""
+    """Write the frames of a day: between captures, by a neural sky trained on them, or of --date; can go on."""
+    if date is not None:
+        show_film(film_of(folder, place, date, zone, step, output, height, exposure), as_json)
+        return
+    if folder is None:
+        raise ValueError("animate needs a folder of captures, or --place and --date")
     from math import radians
 
     import skydome as sd

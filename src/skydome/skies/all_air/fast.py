@@ -15,8 +15,8 @@ from skydome.skies.all_air.column_tables import BLOCKED, ColumnTables
 from skydome.skies.all_air.column_tables import between as looked_up
 from skydome.skies.all_air.single_scattering import arcs, lit_rays, toward_sun, view_rays
 
-LEAST_RAYS = 1 << 12
-"""Fewer rays than this take NumPy."""
+LEAST_RAYS = 1 << 15
+"""Fewer rays than this take NumPy: Numba's import costs as much as they do."""
 RAYS_PER_PIECE = 1 << 9
 """Rays that are worth a thread's while."""
 Once = Callable[[ColumnTables, Array, Array, Array, list[Array]], list[Array]]

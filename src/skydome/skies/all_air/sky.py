@@ -18,6 +18,7 @@ from skydome.skies.all_air.blocks import part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
+from skydome.skies.all_air.heights import seen_from
 from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.many_suns import LOWEST, by_kind
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
@@ -85,6 +86,20 @@ class PhysicalSky(StokesSky):
         """The sky in `clear_air` of the numbers given of it."""
         air = {name: parameters.pop(name) for name in cls.numbers_of_air if name in parameters}
         return cls(**(parameters | ({"atmosphere": clear_air(**air)} if air else {})))
+
+    @classmethod
+    def from_height(cls, sun: Array, height: float, atmosphere: Atmosphere | None = None, **others: Any) -> Self:
+        """The sky over an observer at a `height`, 0-30,000 m above the ground of an `atmosphere` (`clear_air()`).
+
+        All below counts as a ground (`heights`); views below the horizon stay dark. `others` as in the constructor.
+
+        >>> import skydome as sd
+        >>> sun = sd.direction(azimuth=0.0, elevation=40 * sd.deg)
+        >>> [round(float(PhysicalSky.from_height(sun, h).luminance(sd.ZENITH)), -1) for h in (0.0, 20_000.0)]
+        [2050.0, 110.0]
+        """
+        air = clear_air() if atmosphere is None else atmosphere
+        return cls(sun, seen_from(air, height, np.asarray(sun)[..., 2]), **others)
 
     @cached_property
     def rest(self) -> Rest:

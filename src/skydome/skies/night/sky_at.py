@@ -53,6 +53,10 @@ class WholeSky(SpectralCombination):
     names: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 
+    def parameters(self) -> dict[str, Any]:
+        """Class name and parts: the provenance that maps carry."""
+        return {"model": type(self).__name__, "parts": ", ".join(self.names)}
+
     def __getitem__(self, name: str) -> SpectralSky:
         """The sky of a name alone; KeyError for one that is not there at this hour."""
         if name not in self.names:

@@ -50,7 +50,7 @@ class SkyGlow(NightGlow):
     def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """Radiance (..., W)."""
         columns = self.air.columns(views[..., 2])
-        depths = np.stack([np.asarray(part.depth(wavelengths)) for part in self.atmosphere.constituents])
+        depths = self.air.depths(wavelengths)
         gradation = np.expm1(-columns @ depths) / np.expm1(-self.air.columns(np.ones(())) @ depths)
         return np.asarray(gradation * self.lamps(wavelengths))
 

@@ -13,6 +13,12 @@ from skydome.air.constituents import Molecules, Ozone
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import as_seen
 
+LEAST = 77.0
+"""The faintest brightness that the shares were found for: that of the zodiacal light's poles."""
+
+SHARES_END, LATER = 5.0, 0.25
+"""Columns, in vertical ones, up to which the shares are known, and what share counts beyond, near the horizon."""
+
 
 @dataclass(frozen=True, eq=False)
 class Air:
@@ -33,20 +39,26 @@ class Air:
         """Columns of each constituent toward sines of apparent elevations (...,), in vertical ones, (..., K)."""
         return np.asarray(self.tables.toward(np.zeros_like(sine), np.maximum(sine, 0.0)))
 
+    def depths(self, wavelengths: np.ndarray) -> np.ndarray:
+        """Vertical optical depths of the constituents, (K, W)."""
+        return np.stack([np.asarray(part.depth(wavelengths)) for part in self.atmosphere.constituents])
+
     def transmittance(self, sine: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """What is left of the straight light toward sines of apparent elevations (...,), (..., W)."""
-        return self.dimmed(sine, wavelengths, 1.0, 1.0)
+        return np.asarray(np.exp(-self.columns(sine) @ self.depths(wavelengths)))
 
     def dimmed(
-        self, sine: np.ndarray, wavelengths: np.ndarray, molecules: np.ndarray | float, aerosol: np.ndarray | float
+        self, sine: np.ndarray, wavelengths: np.ndarray, molecules: np.ndarray, aerosol: np.ndarray
     ) -> np.ndarray:
-        """The same with shares (...,) of the depths of molecules and of aerosol; ozone takes what it takes."""
-        columns = self.columns(sine)
-        depth = np.zeros((*columns.shape[:-1], wavelengths.size))
-        for k, part in enumerate(self.atmosphere.constituents):
-            share = 1.0 if isinstance(part, Ozone) else molecules if isinstance(part, Molecules) else aerosol
-            depth += (columns[..., k] * share)[..., None] * np.asarray(part.depth(wavelengths))
-        return np.asarray(np.exp(-depth))
+        """The same of a glow, with shares (...,) of the depths of molecules and of aerosol; ozone takes what it takes.
+
+        Ways longer than `SHARES_END` lose `LATER` of what they cross beyond, whose light comes from beside.
+        """
+        columns, parts = self.columns(sine), self.atmosphere.constituents
+        shares = [1.0 if isinstance(p, Ozone) else molecules if isinstance(p, Molecules) else aerosol for p in parts]
+        short = np.minimum(columns, SHARES_END)
+        ways = short * np.stack(np.broadcast_arrays(*shares, columns[..., 0])[:-1], axis=-1) + LATER * (columns - short)
+        return np.asarray(np.exp(-ways @ self.depths(wavelengths)))
 
 
 def of_celestial(brightness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -55,7 +67,7 @@ def of_celestial(brightness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     By its brightness (...,) in 1e-8 W m-2 um-1 sr-1. What is brighter than the rest of the sky loses more; what is
     faint gains from it.
     """
-    logarithm = np.log10(np.maximum(brightness, 1.0))
+    logarithm = np.log10(np.maximum(brightness, LEAST))
     near = logarithm <= 2.244
     molecules = np.where(near, 1.407 * logarithm - 2.692, 0.527 * logarithm - 0.715)
     aerosol = np.where(near, 1.309 * logarithm - 2.598, 0.468 * logarithm - 0.702)

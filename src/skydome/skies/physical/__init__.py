@@ -7,6 +7,7 @@
 - layers              An atmosphere cut into layers, and the light that is scattered in them once, in closed form
 - cosine_series       Light over half a sky as cubics in height and a cosine series in azimuth
 - nishita             Nishita's skies: light scattered once or once and twice in spherical shells of air
+- klassen             Klassen's sky, light scattered once in flat layers of one density each
 - held                A physical sky's colours, computed once on a row of nodes and then known at every direction
 - held_tracing        A traced sky held in a table
 - held_fields         A held sky's table made fine, for many directions

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from skydome.dome.tregenza import TREGENZA_COUNTS
+from skydome.ground.tables import columns
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -39,9 +39,9 @@ class Skies(NamedTuple):
 def rows_of(division: int) -> list[tuple[float, int, float]]:
     """Elevation (rounded to float32), patches and size (sr) of a patch of each of Reinhart's rows, the zenith last."""
     step = np.pi / 2 / (7 * division + 0.5)
-    rows = []
+    rows, counts = [], columns("tregenza")["patches"]
     for k in range(7 * division):
-        count = TREGENZA_COUNTS[k // division] * division
+        count = int(counts[k // division]) * division
         size = 2 * np.pi * (np.sin(step * (k + 1)) - np.sin(step * k)) / count
         rows.append((float(np.float32(step * (k + 0.5))), count, float(size)))
     return [*rows, (float(np.float32(np.pi / 2)), 1, float(2 * np.pi * (1 - np.cos(step / 2))))]

@@ -6,20 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from skydome.ground.units import RADIANCE_EFFICACY, deg
+from skydome.ground.units import deg
 from skydome.ground.writing import appearing
-from skydome.light.spectrum import xyz_weights
+from skydome.light.radiance_bands import band_weights, scaled, splits_of
 from skydome.years.gendaymtx import text as matrix_text
 from skydome.years.gendaymtx.matrix import GROUND_REFLECTANCE
 
 if TYPE_CHECKING:
     import xarray
-
-PARTITION = (588.0, 480.0)
-"""Wavelengths, nm, between red, green and blue where Radiance makes colours of a spectrum (its color.h)."""
-
-FEWEST_BANDS = 4
-"""Radiance takes 3 for RGB."""
 
 ROWS_AT_ONCE = 32
 
@@ -47,22 +41,6 @@ def write_spectral_matrix(
         matrix_text.write(file, rows_of(data, reflectance), shape, place, "float" if binary else "ascii", maker)
 
 
-def splits_of(wavelengths: np.ndarray) -> tuple[float, float, float, float]:
-    """The longest edge of the bands, two between, the shortest, nm; ValueError unless they are even and at least 4.
-
-    >>> splits_of(np.arange(390.0, 780.0, 20.0))
-    (780.0, 588.0, 480.0, 380.0)
-    """
-    steps = np.diff(wavelengths)
-    if len(wavelengths) < FEWEST_BANDS or not np.allclose(steps, steps[0], rtol=1e-6):
-        raise ValueError(f"a spectral matrix needs {FEWEST_BANDS} even bands or more, got {wavelengths.tolist()} nm")
-    long, short = float(wavelengths[-1] + steps[0] / 2), float(wavelengths[0] - steps[0] / 2)
-    first, second = PARTITION
-    if not long > first > second > short:
-        first, second = (long + (short - long) * part for part in (1 / 3, 2 / 3))
-    return long, first, second, short
-
-
 def rows_of(data: "xarray.Dataset", reflectance: float) -> Iterator[np.ndarray]:
     """The rows, some at a time, (J, T, N), float32, each spectrum scaled so that its luminance is the year's.
 
@@ -79,23 +57,3 @@ def rows_of(data: "xarray.Dataset", reflectance: float) -> Iterator[np.ndarray]:
         part = data.isel(patch=slice(k, k + ROWS_AT_ONCE))
         light = np.nan_to_num(part["radiance"].values).transpose(1, 0, 2)
         yield scaled(light, np.nan_to_num(part["luminance"].values.T), weights).astype(np.float32)
-
-
-def band_weights(wavelengths: np.ndarray) -> np.ndarray:
-    """Share of each band in luminance, (N,), 1 in all: the mean of the luminous efficiency over the band."""
-    step = wavelengths[1] - wavelengths[0]
-    inside = (np.arange(20) + 0.5) / 20 - 0.5
-    fine = np.clip(wavelengths[:, None] + step * inside, 380.0, 780.0)
-    order = np.unique(fine)
-    every = xyz_weights(order)[:, 1] / np.gradient(order)
-    means = np.interp(fine, order, every).mean(axis=1)
-    shares: np.ndarray = means / means.sum()
-    return shares
-
-
-def scaled(spectra: np.ndarray, luminance: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Spectra (..., N) from long to short with a luminance (...,), cd m-2, in Radiance's unit; 0 where none."""
-    own = spectra @ weights
-    factor = np.divide(luminance / RADIANCE_EFFICACY, own, out=np.zeros_like(own), where=own > 0)
-    lit: np.ndarray = (spectra * factor[..., None])[..., ::-1]
-    return lit

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from skydome.dome.small_lights.sun_on_map import within_rim
 from skydome.light.colour import RGBSpace, rgb_from_xyz
 from skydome.maps.projection import Projection, from_first_centre, texel_centre
 from skydome.skies.suns.point_lights import PointLights
@@ -21,7 +22,7 @@ def add_points(
     row, column, covered = projection.pixels(directions, height)
     row, column, light = row[covered], column[covered], light[covered]
     angles = np.broadcast_to(projection.solid_angles(height), pixels.shape[:2])
-    at = np.floor(row).astype(np.int64), np.floor(column).astype(np.int64)
+    at = within_rim(row, column, angles)
     y, x = np.floor(from_first_centre(row)).astype(np.int64), np.floor(from_first_centre(column)).astype(np.int64)
     down, right = from_first_centre(row) - y, from_first_centre(column) - x
     for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):

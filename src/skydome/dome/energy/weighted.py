@@ -1,10 +1,10 @@
-"""What the light of sun and sky carries beside what eyes see: broadband irradiance, the UV index, photons for plants.
+"""The light of sun and sky on the horizontal, weighted by what each wavelength does.
 
 The sky is one that knows its air and its spectrum from 300 to 2500 nm: the physical sky, with or without its sun's
 disc. What the air leaves of the sunlight is taken as linear between some wavelengths, the sunlight as it is tabulated.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,6 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.interpolation import weights
 from skydome.ground.quadrature import hemisphere
-from skydome.ground.tables import columns
-from skydome.light.action_spectra import UV_INDEX_OF_A_WATT, erythemal_action, photosynthetic_action
 from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
 from skydome.skies.all_air.taught_air import same
 from skydome.skies.sky import Sky
@@ -24,73 +22,6 @@ from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.validity import Check
 
 RINGS, COLUMNS = 16, 32
-ULTRAVIOLET = np.arange(290.0, 401.0, 2.0)
-PLANTS = np.arange(400.0, 701.0, 10.0)
-LONGEST = 3900.0
-"""Of the beam, nm; beyond 2500 nm the sky's own light is nothing."""
-
-
-@dataclass(frozen=True)
-class Broadband:
-    """Irradiance over the whole spectrum, W m-2, each (...,).
-
-    >>> Broadband(diffuse_horizontal=80.0, direct_horizontal=500.0, direct_normal=800.0).global_horizontal
-    580.0
-    """
-
-    diffuse_horizontal: Any
-    direct_horizontal: Any
-    direct_normal: Any
-
-    @property
-    def global_horizontal(self) -> Any:
-        """Of sky and sun on the horizontal."""
-        return self.diffuse_horizontal + self.direct_horizontal
-
-
-def broadband(sky: Sky) -> Broadband:
-    """Irradiance of sun and sky over the whole spectrum, W m-2: the sky's of 300-2500 nm, the sun's of 300-3900 nm.
-
-    `sky`: a `PhysicalSky`, alone or with its sun's disc. What lies outside is below 2 W m-2. In the ultraviolet, where
-    air may be deeper than was taught, the networks' numbers are held at the edge. TypeError for other skies.
-
-    >>> import skydome as sd
-    >>> sky = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=45 * sd.deg))
-    >>> light = broadband(sky + sd.SunDisc.of(sky))
-    >>> round(float(light.direct_normal), -1), round(float(light.diffuse_horizontal), -1)
-    (900.0, 110.0)
-    """
-    known = columns("spectrl2_gases")["wavelength_nm"]
-    diffuse, _, _ = parts_of(sky, known[known <= WAVELENGTHS.high], np.ones_like, check="clamp")
-    _, direct, normal = parts_of(sky, known[known <= LONGEST], np.ones_like, beam_alone=True)
-    return Broadband(diffuse, direct, normal)
-
-
-def uv_index(sky: Sky) -> Any:
-    """UV index on the horizontal, (...,), of a `PhysicalSky` alone or with its sun's disc: 290-400 nm.
-
-    Erythemal irradiance (CIE S 007) times 40. Below 300 nm, where 2-6 % of it lies, the sky's light goes as the beam's.
-    TypeError for other skies.
-
-    >>> import skydome as sd
-    >>> sky = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=60 * sd.deg), sd.clear_air(ozone=300.0, albedo=0.05))
-    >>> round(float(uv_index(sky + sd.SunDisc.of(sky))), 1)
-    8.1
-    """
-    diffuse, direct, _ = parts_of(sky, ULTRAVIOLET, erythemal_action)
-    return UV_INDEX_OF_A_WATT * (diffuse + direct)
-
-
-def photosynthetic_photon_flux(sky: Sky) -> Any:
-    """Photons for plants on the horizontal, micromoles m-2 s-1 at 400-700 nm, (...,); `sky` as in `broadband`.
-
-    >>> import skydome as sd
-    >>> sky = sd.PhysicalSky(sd.direction(azimuth=0.0, elevation=60 * sd.deg))
-    >>> round(float(photosynthetic_photon_flux(sky + sd.SunDisc.of(sky))), -2)
-    1900.0
-    """
-    diffuse, direct, _ = parts_of(sky, PLANTS, photosynthetic_action)
-    return diffuse + direct
 
 
 def knows_energy(sky: Sky) -> bool:

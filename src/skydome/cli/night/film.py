@@ -1,0 +1,54 @@
+"""A film of one day at a place: a map every so many minutes from midnight to midnight, taken up where it stopped."""
+
+from datetime import datetime, timedelta
+from pathlib import Path
+
+from skydome.cli.frames import Frames, duration
+from skydome.cli.map_file import FileOptions
+from skydome.cli.map_order import MapOrder
+from skydome.cli.options import SkyOptions
+
+FRAMES = {"exr": "sky.####.exr", "png": "sky.####.png"}
+"""The names of frames by their format."""
+
+
+def film_frames(
+    place: str, date: str, zone: str | None, step: str, folder: Path, height: int, exposure: float | None
+) -> Frames:
+    """The frames of a day's film in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
+    from skydome.cli.moment import aware_time
+
+    first = aware_time(f"{date}T00:00", zone or "UTC")
+    after = datetime.fromisoformat(date) + timedelta(days=1)
+    last = aware_time(after.date().isoformat() + "T00:00", zone or "UTC") - duration(step)
+    options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat())
+    kind = "exr" if exposure is None else "png"
+    file = FileOptions(exposure=exposure)
+    order = MapOrder(options, file, folder / FRAMES[kind], height)
+    return Frames.of(order.checked(), step)
+
+
+def film_of(
+    captures: Path | None,
+    place: str | None,
+    date: str,
+    zone: str | None,
+    step: str,
+    folder: Path,
+    height: int,
+    exposure: float | None,
+) -> Frames:
+    """The frames of the options; ValueError in one line for what does not fit together."""
+    if captures is not None or place is None:
+        raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
+    folder.mkdir(parents=True, exist_ok=True)
+    return film_frames(place, date, zone, step, folder, height, exposure)
+
+
+def show_film(frames: Frames, as_json: bool) -> None:
+    """Make the frames that are not there yet, and say what was made."""
+    from skydome.cli.commands.render import sequence, sequence_rows
+    from skydome.cli.printing import show
+
+    facts = sequence(frames)
+    show(facts, sequence_rows(facts), as_json)

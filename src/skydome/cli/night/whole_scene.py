@@ -1,0 +1,57 @@
+"""The light of a place at any hour: what the commands show when the sun has set."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from skydome.cli.models import build
+from skydome.cli.moment import Moment, moment_of
+from skydome.cli.options import SkyOptions
+
+if TYPE_CHECKING:
+    from skydome.skies.model import Model
+    from skydome.skies.night.sky_at import WholeSky
+
+
+class WholeLight(NamedTuple):
+    """Every light of an hour: all of it, what is no disc, the sun's moment, and what was decided."""
+
+    whole: "WholeSky"
+    sky: "WholeSky"
+    moment: Moment
+    notes: tuple[str, ...]
+
+
+BY_DAY_ALONE = {"blend_overcast": "--blend-overcast", "sun_size": "--sun-size", "direct_normal_irradiance": "--dni"}
+"""Options that have no meaning for a sum of the night's lights."""
+
+
+def shows_the_night(model: "Model", options: SkyOptions) -> bool:
+    """True where a place and a time are given, the sun has set there, and the model is the physical sky."""
+    from skydome.skies.all_air.sky import PhysicalSky
+
+    if model.kind is not PhysicalSky or options.sun is not None or options.place is None or options.time is None:
+        return False
+    return float(moment_of(options).direction[2]) < 0
+
+
+def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight:
+    """Every light of that hour; ValueError for options that the night has no use for."""
+    import skydome as sd
+
+    for name, option in BY_DAY_ALONE.items():
+        if getattr(options, name) is not None:
+            raise ValueError(f"{option} needs the sun above the horizon, got a night or twilight")
+    if north:
+        raise ValueError("--north turns the sun's sky alone; leave it out when the sun has set")
+    moment = moment_of(options)
+    sky, notes = build(model, moment, options)
+    whole = sd.sky_at(place_of(moment), moment.time, sky.atmosphere)  # type: ignore[arg-type,attr-defined]
+    said = [note for note in notes if not note.startswith("sun:")]
+    discs = [name for name in ("sun", "moon") if name in whole.names]
+    shown = whole.without(*discs) if len(whole.names) > len(discs) else whole
+    return WholeLight(whole.without("sun") if options.no_sun else whole, shown, moment, (*said, *whole.notes))
+
+
+def place_of(moment: Moment) -> Any:
+    """The place of a moment that has one."""
+    assert moment.place is not None
+    return moment.place

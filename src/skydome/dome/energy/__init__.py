@@ -1,0 +1,6 @@
+"""What the light of sun and sky carries beside what eyes see.
+
+- weighted   The light of sun and sky on the horizontal, weighted by what each wavelength does
+- broadband  Broadband irradiance of sun and sky
+- doses      What it does to skin and to plants: the UV index, photons
+"""
