@@ -1,13 +1,17 @@
 """Many suns some at a time, those of a kind together: night costs nothing, and only twilight pays for twilight."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from enum import IntEnum
 from typing import Any
 
 import numpy as np
 
-from skydome.skies.all_air.blocks import blocks
+from skydome.ground.arrays import Array
+from skydome.skies.all_air.blocks import blocks, part_of
+from skydome.skies.all_air.fast import Once, chosen, compiled
+from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.rest import MIXED
+from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
 
 LOWEST = float(np.sin(np.radians(-18.0)))
 """Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
@@ -53,3 +57,19 @@ def by_kind(sun: np.ndarray, shape: tuple[int, ...], compiled: bool) -> Iterator
         some = np.flatnonzero(kinds == kind)
         for first, *others in blocks((len(some), *shape[1:]), most):
             yield (some[first], *others)
+
+
+def light_of_many(
+    light: Callable[[Array, Array, LitAir, Once], Array],
+    sun: np.ndarray,
+    views: np.ndarray,
+    lit: LitAir,
+    ending: SkyColours | SkySpectrum,
+) -> np.ndarray:
+    """What `ending` makes of light, some views of some suns at a time, in NumPy."""
+    shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
+    found, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
+    for block in by_kind(sun, shape, once is compiled):
+        here, toward, air = part_of(sun, block), part_of(views, block), lit.part(block)
+        found[block] = ending.of_light(light(here, toward, air, once), air.gases, here[..., 2], toward[..., 2])
+    return found

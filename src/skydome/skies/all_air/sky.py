@@ -14,13 +14,12 @@ from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.bent_sun import BentSun
-from skydome.skies.all_air.blocks import part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import dimming
-from skydome.skies.all_air.fast import Once, chosen, compiled, in_arrays
+from skydome.skies.all_air.fast import Once, in_arrays
 from skydome.skies.all_air.heights import seen_from
 from skydome.skies.all_air.lit_air import LitAir
-from skydome.skies.all_air.many_suns import LOWEST, by_kind
+from skydome.skies.all_air.many_suns import LOWEST, light_of_many
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
 from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
 from skydome.skies.all_air.polarised.network import PolarisedRest, with_polarisation
@@ -29,7 +28,7 @@ from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
-from skydome.skies.all_air.taught_air import clear_air, foreign, optics, require_earth, require_taught, same, taught
+from skydome.skies.all_air.taught_air import NUMBERS, clear_air, foreign, optics, require_earth, require_taught, same
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
@@ -65,14 +64,7 @@ class PhysicalSky(StokesSky):
     polarisation: str | PathLike[str] | None = None
     knows_twilight: ClassVar[bool] = True
     bends_light: ClassVar[bool] = True
-    numbers_of_air: ClassVar = {
-        "aerosol_depth": Range(0.0, 0.9),
-        "angstrom": Range(0.0, 2.5),
-        "asymmetry": Range(0.48, 0.92),
-        "aerosol_albedo": Range(0.6, 1.0),
-        "ozone": Range(0.0, 600.0, "DU"),
-        "albedo": Range(0.0, 1.0),
-    }
+    numbers_of_air: ClassVar = NUMBERS
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
     def __post_init__(self) -> None:
@@ -152,7 +144,7 @@ class PhysicalSky(StokesSky):
     @property
     def valid(self) -> Array:
         """True where the air was taught, at 380-780 nm, and the sun stands above -18 degrees, boolean array (...,)."""
-        return taught(optics(self.atmosphere, SpectralSky.bands, self.toward)) & self.is_day
+        return optics(self.atmosphere, SpectralSky.bands, self.toward).allowed & self.is_day
 
     @property
     def valid_held(self) -> Array:
@@ -209,15 +201,9 @@ class PhysicalSky(StokesSky):
     def in_blocks(self, views: Array, lit: LitAir, ending: SkyColours | SkySpectrum) -> Array:
         """Light as `ending` makes it of light at the air's wavelengths: in NumPy some views of some suns at a time."""
         sun = self.toward
-        if not is_numpy(sun) or any(np.ndim(law.mean_cosine(NODES[:1])) > 1 for law in self.laws):
-            return ending.of_light(self.light(sun, views, lit), lit.gases, sun[..., 2], views[..., 2])
-        shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
-        light, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
-        for block in by_kind(sun, shape, once is compiled):
-            here, toward, air = part_of(sun, block), part_of(views, block), lit.part(block)
-            some = self.light(here, toward, air, once)
-            light[block] = ending.of_light(some, air.gases, here[..., 2], toward[..., 2])
-        return light
+        if is_numpy(sun) and all(np.ndim(law.mean_cosine(NODES[:1])) < 2 for law in self.laws):
+            return light_of_many(self.light, sun, views, lit, ending)
+        return ending.of_light(self.light(sun, views, lit), lit.gases, sun[..., 2], views[..., 2])
 
     @property
     def laws(self) -> list[PhaseLaw]:
@@ -240,8 +226,7 @@ class PhysicalSky(StokesSky):
     def once(self, lit: LitAir, view: Array, height: Array, between: Array, once: Once = in_arrays) -> list[Array]:
         """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
         tables = self.tables.single if between.dtype == np.float32 else self.tables
-        found = once(tables, view, height, between, lit.depths)
-        return [strength * share for strength, share in zip(found, lit.shares, strict=True)]
+        return [a * b for a, b in zip(once(tables, view, height, between, lit.depths), lit.shares, strict=True)]
 
     @cached_property
     def for_maps(self) -> Sky:

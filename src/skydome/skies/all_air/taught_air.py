@@ -38,6 +38,15 @@ NAMES = {
     "asymmetry": "asymmetry of aerosol",
     "ground": "albedo of the ground",
 }
+NUMBERS = {
+    "aerosol_depth": Range(0.0, 0.9),
+    "angstrom": Range(0.0, 2.5),
+    "asymmetry": Range(0.48, 0.92),
+    "aerosol_albedo": Range(0.6, 1.0),
+    "ozone": Range(0.0, 600.0, "DU"),
+    "albedo": Range(0.0, 1.0),
+}
+"""Numbers of `clear_air` that a sky may be made of."""
 BARE = {"aerosol_albedo": 0.92, "asymmetry": 0.7}
 """What stands for the numbers of an aerosol that is not there."""
 
@@ -52,6 +61,13 @@ class Optics(NamedTuple):
     aerosol_albedo: Array
     asymmetry: Array
     ground: Array
+
+    @property
+    def allowed(self) -> Array:
+        """True where all numbers (..., W) lie in `ALLOWED`, (...,)."""
+        xp = namespace(*self)
+        each = (xp.all(inside(number, ALLOWED[name]), axis=-1) for name, number in self._asdict().items())
+        return reduce(lambda a, b: a & b, each)
 
 
 def clear_air(
@@ -136,13 +152,6 @@ def ratio(upper: Array, lower: Array, otherwise: float) -> Array:
 def same(value: Any, like: Array) -> Array:
     """An array of NumPy's as one of the library of `like`; others as they are."""
     return constant(value, like) if is_numpy(value) else value
-
-
-def taught(numbers: Optics) -> Array:
-    """True where all numbers (..., W) of an air are allowed, (...,)."""
-    xp = namespace(*numbers)
-    each = (xp.all(inside(number, ALLOWED[name]), axis=-1) for name, number in numbers._asdict().items())
-    return reduce(lambda a, b: a & b, each)
 
 
 def require_taught(numbers: Optics) -> None:
