@@ -236,6 +236,6 @@ class PhysicalSky(AtmosphereSky):
         strengths = self.once(lit, view, height, between)
         shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
         rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
-        fields, day = (np.concatenate(shapes), rest[None]), float(self.is_day)
-        series = [series_of(self.colours().of_light(some * day, lit.gases, height, view)) for some in fields]
+        colours = self.colours().at_heights(lit.gases, height, view[:, 0]) * np.float32(self.is_day)
+        series = [series_of(fields @ colours) for fields in (np.concatenate(shapes), rest[None])]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))
