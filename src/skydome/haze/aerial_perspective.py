@@ -11,6 +11,7 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
+from skydome.ground.labels import Axis, keeps_labels
 from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
 from skydome.haze.channels import RedGreenBlue, Wavelengths
 from skydome.haze.fast import FastAir
@@ -18,6 +19,7 @@ from skydome.haze.horizon_light import HorizonLight, horizon_directions
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.labelled import RGB_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky, combine
 
 MANY = 500
@@ -216,6 +218,13 @@ class AirLight(Bounded):
         return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
 
 
+def channels_asked(held: dict[str, Any]) -> tuple[Axis, ...]:
+    """The last axis of light through air: wavelengths, or red, green and blue."""
+    wavelengths = held.get("wavelengths")
+    return RGB_CHANNELS if wavelengths is None else wavelength_axis(wavelengths)
+
+
+@keeps_labels(last=channels_asked, distance=0, direction=1, height=0, turbidity=0)
 def aerial_perspective(
     sky: Sky,
     distance: Any,

@@ -11,9 +11,11 @@ from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
+from skydome.ground.labels import Axis
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, checked_wavelengths
 from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.labelled import RGB_CHANNELS, XYZ_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -22,6 +24,11 @@ class LightKind(ABC):
     """A way to count light: `trailing` axes (0 or 1) of `channels` behind the shape that luminance would have."""
 
     trailing: ClassVar[int] = 1
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The last axis, with its labels; none without channels."""
+        return ()
 
     @property
     @abstractmethod
@@ -117,6 +124,11 @@ class LightInXYZ(LightKind):
     """
 
     @property
+    def axes(self) -> tuple[Axis, ...]:
+        """X, Y and Z."""
+        return XYZ_CHANNELS
+
+    @property
     def channels(self) -> int:
         """Three."""
         return 3
@@ -140,6 +152,11 @@ class LightInRGB(LightInXYZ):
     """
 
     space: RGBSpace = field(default=SRGB)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Red, green and blue."""
+        return RGB_CHANNELS
 
     def toward(self, sky: Sky, directions: Array) -> Array:
         """RGB; TypeError for a sky that knows luminance only."""
@@ -169,6 +186,11 @@ class LightInWavelengths(LightKind):
         checked_wavelengths(self.wavelengths)
 
     @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The wavelengths."""
+        return wavelength_axis(self.wavelengths)
+
+    @property
     def channels(self) -> int:
         """One a wavelength."""
         return len(self.wavelengths)
@@ -196,6 +218,18 @@ def coloured(sky: Sky) -> ColourSky:
 
 
 LUX = LightInLux()
+
+
+def channels_asked(held: dict[str, Any]) -> tuple[Axis, ...]:
+    """The last axis of light of the kind asked for, by the argument `light`."""
+    axes: tuple[Axis, ...] = held.get("light", LUX).axes
+    return axes
+
+
+def points_and_channels(held: dict[str, Any]) -> tuple[Axis, ...]:
+    """The same behind an axis of points."""
+    return (Axis("point", None, 0), *channels_asked(held))
+
 
 BELOW_ONE = float(np.nextafter(1.0, 0.0))
 """The most that faces may reflect which see each other."""
