@@ -11,15 +11,14 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
-from skydome.ground.labels import Axis, keeps_labels
+from skydome.ground.labels import keeps_labels
 from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
-from skydome.haze.channels import RedGreenBlue, Wavelengths
+from skydome.haze.channels import RedGreenBlue, Wavelengths, channels_asked
 from skydome.haze.fast import FastAir
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.labelled import RGB_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky, combine
 
 MANY = 500
@@ -216,12 +215,6 @@ class AirLight(Bounded):
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
         large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
         return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
-
-
-def channels_asked(held: dict[str, Any]) -> tuple[Axis, ...]:
-    """The last axis of light through air: wavelengths, or red, green and blue."""
-    wavelengths = held.get("wavelengths")
-    return RGB_CHANNELS if wavelengths is None else wavelength_axis(wavelengths)
 
 
 @keeps_labels(last=channels_asked, distance=0, direction=1, height=0, turbidity=0)

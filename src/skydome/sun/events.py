@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arrays import brief
 from skydome.sun.day_events import SUNRISE, day_events, later
 from skydome.sun.many_days import many_days
 from skydome.sun.place import Place
@@ -142,7 +143,7 @@ def calendar_date(day: Any) -> date:
     try:
         return date.fromisoformat(str(day)[:10] if isinstance(day, np.datetime64) else day)
     except (TypeError, ValueError):
-        raise ValueError(f"date must read like 2026-06-21, got {day!r}") from None
+        raise ValueError(f"date must read like 2026-06-21, got {brief(day, typed=False)}") from None
 
 
 def day_bounds(place: Place, day: date, zone: str | tzinfo | None) -> tuple[np.datetime64, np.datetime64]:

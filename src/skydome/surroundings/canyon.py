@@ -15,17 +15,10 @@ from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.surroundings.bands import Bands, dihedral, level_axis
+from skydome.surroundings.channels import BELOW_ONE, channelled, check_shares, points_and_channels, side_by_side
 from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
 from skydome.surroundings.intervals import SKY
-from skydome.surroundings.light_kinds import (
-    BELOW_ONE,
-    LUX,
-    LightKind,
-    channelled,
-    check_shares,
-    points_and_channels,
-    side_by_side,
-)
+from skydome.surroundings.light_kinds import LUX, LightKind
 from skydome.surroundings.obstruction import PlaneView, Received
 from skydome.surroundings.radiosity import crossed_strings, interreflected, interreflected_channels
 

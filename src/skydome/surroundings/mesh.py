@@ -14,17 +14,10 @@ from skydome.ground.directions import ZENITH, checked_directions
 from skydome.light.spectrum import Spectrum
 from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
+from skydome.surroundings.channels import BELOW_ONE, channelled, check_shares, points_and_channels, side_by_side
 from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
 from skydome.surroundings.intervals import GROUND, SKY
-from skydome.surroundings.light_kinds import (
-    BELOW_ONE,
-    LUX,
-    LightKind,
-    channelled,
-    check_shares,
-    points_and_channels,
-    side_by_side,
-)
+from skydome.surroundings.light_kinds import LUX, LightKind
 from skydome.surroundings.obstruction import TOLERANCE, PlaneView, Received
 from skydome.surroundings.radiosity import interreflected, interreflected_channels
 from skydome.surroundings.rays import ray_caster, trimesh_library

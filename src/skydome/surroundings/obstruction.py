@@ -16,8 +16,9 @@ from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 from skydome.surroundings.bands import Bands
+from skydome.surroundings.channels import channelled, channels_asked, check_shares
 from skydome.surroundings.intervals import SKY, Intervals, Surroundings, intervals, refined
-from skydome.surroundings.light_kinds import LUX, LightKind, channelled, channels_asked, check_shares, in_library_of
+from skydome.surroundings.light_kinds import LUX, LightKind, in_library_of
 
 DISC_POINTS = 61
 TOLERANCE = 3e-4
