@@ -176,13 +176,9 @@ def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_differe
         FINITE, elevation_a=elevation_a, elevation_b=elevation_b, azimuth_difference=azimuth_difference
     )
     xp = namespace(a, b, d)
-
-    def hav(x: Array) -> Array:
-        return xp.sin(x / 2) ** 2
-
-    level = 1 - hav(a - b) - hav(a + b)  # see docs/units-and-frame.md
-    value = hav(a - b) + level * hav(d)
-    return 2 * xp.asin(safe_sqrt(limited(value, 0.0, 1.0)))
+    low = xp.sin((a - b) / 2) ** 2
+    level = 1 - low - xp.sin((a + b) / 2) ** 2  # see docs/units-and-frame.md
+    return 2 * xp.asin(safe_sqrt(limited(low + level * xp.sin(d / 2) ** 2, 0.0, 1.0)))
 
 
 def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:

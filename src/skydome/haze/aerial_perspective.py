@@ -195,10 +195,8 @@ class AirLight(Bounded):
         if is_numpy(direction):
             direction = constant(direction, self.like) if not is_numpy(self.like) else direction
         direction = constant(direction, distance) if not is_numpy(distance) and is_numpy(direction) else direction
-        distance, height = (
-            checked_metres(distance, direction, "distance", 0.0),
-            checked_metres(height, direction, "height"),
-        )
+        distance = checked_metres(distance, direction, "distance", 0.0)
+        height = checked_metres(height, direction, "height")
         if self.takes_kernel(distance, direction, height):
             found = AerialPerspective(*self.fast.at(distance, direction, float(height)))
         else:
