@@ -136,12 +136,32 @@ CALLS = {
     "shader_numbers": {"sky": HW},
     "save_scene": {"sky": WHOLE, "path": "no/such/sky.usda", "height": 16},
     "ScannedSky": {"scans": ()},
+    "moon_direction": {"place": TURIN, "time": NOON}, "moon_angles": {"place": TURIN, "time": NOON},
+    "moon_distance": {"place": TURIN, "time": NOON}, "lunar_radius": {"place": TURIN, "time": NOON},
+    "moon_phase": {"place": TURIN, "time": NOON}, "planets": {"place": TURIN, "time": NOON},
+    "moon_events": {"place": TURIN, "day": "2026-06-21"},
+    "Gases": {},
+    "HarrisonCoombes": {"sun": SUN, "zenith_luminance": 1e3},
+    "Pokrowski": {"sun": SUN, "zenith_luminance": 1e3},
+    "TakagiDaylight": {"sky": sd.Uniform(1.0)},
+    "takagi_colour_temperature": {"luminance": 1e3},
+    "ASRCCIE": {"sun": SUN, "direct_normal_irradiance": 700.0, "diffuse_horizontal_irradiance": 100.0},
+    "FlatSpectrum": {"sky": sd.Uniform(1.0)},
+    "gensky_sun": {"sun": SUN},
+    "PrecomputedScattering": {"sun": SUN, "atmosphere": AIR},
+    "Moonlight": {"sun": SUN}, "MoonDisc": {"sun": SUN},
+    "Airglow": {}, "SkyGlow": {}, "Starlight": {}, "ZodiacalLight": {},
+    "surface_magnitude": {"luminance": 1e-3},
+    "sky_at": {"place": TURIN, "time": NOON},
+    "light_at": {"place": TURIN, "times": [NOON]},
+    "broadband": {"sky": HW}, "uv_index": {"sky": HW}, "photosynthetic_photon_flux": {"sky": HW},
 }  # fmt: skip
 """Public names, each with arguments that it takes (but for the file)."""
 
 ANSWERS = {
     "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
-    "SkyScene", "SunLamp", "Fit",
+    "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
+    "Eclipse", "WholeSky", "Broadband",
 }  # fmt: skip
 """What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""
 
