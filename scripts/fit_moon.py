@@ -13,14 +13,18 @@ from skyfield.api import load, load_file
 from skydome.moon.geocentric import ARGUMENTS
 
 INSTANTS, ROUNDS, J2000 = 6000, (22, 12), 2451545.0
-RATIOS = ((18, -16), (10, -3), (1, -1), (2, -2), (3, -3), (3, -2), (8, -13), (5, -5), (4, -4), (2, -1), (3, -4), (5, -8),
-          (8, -12), (2, -3), (18, -17), (18, -18), (20, -20), (21, -20), (10, -16))  # fmt: skip
+RATIOS = (
+    (18, -16), (10, -3), (1, -1), (2, -2), (3, -3), (3, -2), (8, -13), (5, -5), (4, -4), (2, -1), (3, -4), (5, -8),
+    (8, -12), (2, -3), (18, -17), (18, -18), (20, -20), (21, -20), (10, -16),
+)  # fmt: skip
 JUPITER, MARS = (
     ((1, -1), (2, -2), (0, 1), (0, 2), (2, -3), (1, -2), (3, -3)),
     ((1, -2), (2, -2), (1, -1), (4, -8), (2, -4)),
 )
-BASES = ((0, 0, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0), (2, 0, -1, 0), (2, 0, 0, 0), (0, 0, 1, 1), (0, 0, 0, 1),
-         (1, 0, 0, 0), (2, 0, -2, 0), (0, 0, 2, 0))  # fmt: skip
+BASES = (
+    (0, 0, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0), (2, 0, -1, 0), (2, 0, 0, 0), (0, 0, 1, 1), (0, 0, 0, 1), (1, 0, 0, 0),
+    (2, 0, -2, 0), (0, 0, 2, 0),
+)  # fmt: skip
 
 
 def candidates():
@@ -50,14 +54,15 @@ def main():
     days = np.sort(np.random.default_rng(1).uniform(-18_200, 18_262, INSTANTS))
     names = ("fad03", "falp03", "fal03", "faf03", "fave03", "fae03", "faju03", "fama03")
     phases = candidates() @ np.stack([getattr(erfa, name)(days / 36525) for name in names])
+    cosines, sines = np.cos(phases), np.sin(phases)
     print("quantity", *ARGUMENTS, "cosine", "sine", sep=",")
     for quantity, (wanted, rounds) in enumerate(zip(lacking(days), ROUNDS, strict=True)):
         rest, chosen = wanted.copy(), []
         for _ in range(rounds):
-            power = (np.cos(phases) @ rest) ** 2 + (np.sin(phases) @ rest) ** 2
+            power = (cosines @ rest) ** 2 + (sines @ rest) ** 2
             power[chosen] = 0
             chosen += np.argsort(power)[::-1][:6].tolist()
-            terms = np.concatenate([np.cos(phases[chosen]), np.sin(phases[chosen]), np.ones((1, days.size))]).T
+            terms = np.concatenate([cosines[chosen], sines[chosen], np.ones((1, days.size))]).T
             found = np.linalg.lstsq(terms, wanted, rcond=1e-6)[0]
             rest = wanted - terms @ found
         print(quantity, *[0] * 8, f"{found[-1]:.4f}", 0, sep=",")
