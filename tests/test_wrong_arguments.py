@@ -16,6 +16,17 @@ TURIN, NOON = sd.Place(45.07, 7.69), "2026-06-21T12:00+02:00"
 AIR = sd.Atmosphere.from_turbidity(3.0)
 SKY, HW, DISC = sd.Preetham(SUN, 3.0), sd.HosekWilkie(SUN, 3.0), sd.SunDisc(SUN, 3.0)
 WHOLE, MAP, VIEW = HW + DISC, sd.render(HW, 16), sd.Camera(width=32, height=32)
+WEATHER = sd.Weather(
+    TURIN,
+    np.array(["2026-06-21T11"], "M8[s]"),
+    np.array(["2026-06-21T12"], "M8[s]"),
+    *(np.array([value]) for value in (700.0, 100.0, 8.0)),
+)
+YEAR = sd.year(WEATHER, patches="tregenza")
+LIGHT = sd.on_planes(WEATHER, sd.Plane())
+NETWORK = sd.NeuralSky.load("preetham", SUN).network
+BASIS = sd.preetham_harmonics(SUN, 3.0)
+ANGLES = {"elevation_a": 0.5, "elevation_b": 0.2, "azimuth_difference": 1.0}
 LIT, AT = {"sun": SUN, "turbidity": 3.0}, {"directions": VIEWS, "wavelengths": [450.0]}
 
 CALLS = {
@@ -93,8 +104,71 @@ CALLS = {
     "shader": {"sky": HW},
     "fit": {"model": sd.Preetham, "directions": AROUND, "observed": SKY.luminance(AROUND), "initial": LIT,
             "free": ["turbidity"]},
+    "separation_arccos": ANGLES, "separation_haversine": ANGLES, "separation_vincenty": ANGLES,
+    "sun_path": {"place": TURIN, "day": "2026-06-21", "step": 60.0},
+    "RGBSpace": {"name": "own", "red": (0.64, 0.33), "green": (0.3, 0.6), "blue": (0.15, 0.06), "white": (0.3, 0.3)},
+    "meteorological_range": {"turbidity": 3.0},
+    "MatsuuraIwata": {"sun": SUN, "zenith_luminance": 1e3},
+    "BrungerHooper": {"sun": SUN, "zenith_luminance": 1e3},
+    "Igawa": {"sun": SUN, "direct_normal_irradiance": 700.0, "diffuse_horizontal_irradiance": 100.0},
+    "ColourByLuminance": {"sky": sd.Uniform(1.0)},
+    "ColourOf": {"sky": sd.Uniform(1.0), "like": SKY},
+    "NeuralSky": {"sun": SUN, "network": NETWORK},
+    "NeuralSpectralSky": {"sun": SUN, "network": NETWORK},
+    "PathTraced": {"sun": SUN, "atmosphere": AIR},
+    "Prague": {"sun": SUN, "data": "none.dat"},
+    "SkyBasis": {"basis": BASIS.basis, "coefficients": BASIS.coefficients[..., 0]},
+    "ColourSkyBasis": {"basis": BASIS.basis, "coefficients": BASIS.coefficients},
+    "preetham_harmonics": {"sun": SUN, "turbidity": 3.0},
+    "EquirectangularOfWidth": {"width": 40},
+    "EqualAreaSquare": {}, "CubeMap": {}, "LightInLux": {}, "LightInXYZ": {}, "HoffmanPreetham": {},
+    "MESOPIC": {"angle": 0.1}, "SCOTOPIC": {"angle": 0.1},
+    "render_terrain": {"elevation": sd.Elevation(np.zeros((4, 4)), 30.0, 30.0), "camera": sd.Camera(width=8, height=8),
+                       "sky": WHOLE, "samples": 1},
+    "Weather": {"place": TURIN, "start": WEATHER.start, "end": WEATHER.end, "direct_normal": np.array([700.0]),
+                "diffuse_horizontal": np.array([100.0]), "dew_point": np.array([8.0])},
+    "quality": {"weather": WEATHER},
+    "repaired": {"weather": WEATHER},
+    "Plane": {},
+    "on_planes": {"year": WEATHER, "planes": sd.Plane()},
+    "monthly_sums": {"light": LIGHT},
+    "cumulative_sky": {"skies": YEAR},
+    "shader_numbers": {"sky": HW},
+    "save_scene": {"sky": WHOLE, "path": "no/such/sky.usda", "height": 16},
+    "ScannedSky": {"scans": ()},
+    "moon_direction": {"place": TURIN, "time": NOON}, "moon_angles": {"place": TURIN, "time": NOON},
+    "moon_distance": {"place": TURIN, "time": NOON}, "lunar_radius": {"place": TURIN, "time": NOON},
+    "moon_phase": {"place": TURIN, "time": NOON}, "planets": {"place": TURIN, "time": NOON},
+    "moon_events": {"place": TURIN, "day": "2026-06-21"},
+    "Gases": {},
+    "HarrisonCoombes": {"sun": SUN, "zenith_luminance": 1e3},
+    "Pokrowski": {"sun": SUN, "zenith_luminance": 1e3},
+    "TakagiDaylight": {"sky": sd.Uniform(1.0)},
+    "takagi_colour_temperature": {"luminance": 1e3},
+    "ASRCCIE": {"sun": SUN, "direct_normal_irradiance": 700.0, "diffuse_horizontal_irradiance": 100.0},
+    "FlatSpectrum": {"sky": sd.Uniform(1.0)},
+    "gensky_sun": {"sun": SUN},
+    "PrecomputedScattering": {"sun": SUN, "atmosphere": AIR},
+    "Moonlight": {"sun": SUN}, "MoonDisc": {"sun": SUN},
+    "Airglow": {}, "SkyGlow": {}, "Starlight": {}, "ZodiacalLight": {},
+    "surface_magnitude": {"luminance": 1e-3},
+    "sky_at": {"place": TURIN, "time": NOON},
+    "light_at": {"place": TURIN, "times": [NOON]},
+    "broadband": {"sky": HW}, "uv_index": {"sky": HW}, "photosynthetic_photon_flux": {"sky": HW},
 }  # fmt: skip
 """Public names, each with arguments that it takes (but for the file)."""
+
+ANSWERS = {
+    "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
+    "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
+    "Eclipse", "WholeSky", "Broadband",
+}  # fmt: skip
+"""What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""
+
+ABSTRACT = {"Sky", "ColourSky", "SpectralSky"}
+
+PAGES = {"explore"}
+"""Opens a page; `tests/explorer` asks it."""
 
 METHODS = [
     (HW.luminance, {"directions": VIEWS}),
@@ -144,6 +218,11 @@ def faults(call, good):
                     yield f"{name} = {kind}: {wrong}"
                 elif len(str(error).splitlines()) != 1 or len(str(error)) > 400:
                     yield f"{name} = {kind}: no line: {error}"
+
+
+def test_every_public_name_is_asked():
+    public = {name for name in sd.WHERE if callable(getattr(sd, name))}
+    assert public == CALLS.keys() | ANSWERS | ABSTRACT | PAGES
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -115,3 +115,13 @@ def test_a_request_to_end_clears_up(tmp_path):
 
 def test_what_a_library_says_itself_is_kept():
     assert sentence_of(TypeError("a sky is needed, got 3")) == "a sky is needed, got 3"
+
+
+def test_leftovers_of_a_killed_run_are_swept(call, tmp_path):
+    from skydome.ground.writing import machine
+
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    (tmp_path / f".skydome-{machine()}-{gone.pid}-0123456789abcdef.part").touch()
+    assert call("render", "--sun", "180,40", "--height", 16, "-o", tmp_path / "a.exr").exit_code == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["a.exr"]

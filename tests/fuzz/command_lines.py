@@ -151,9 +151,13 @@ COMMANDS = {
     "simulate": ["-o"],
     "evaluate": [],
     "animate": ["-o"],
+    "plot": ["--sun", "-o"],
+    "weather": ["--plot"],
+    "daylight": ["-o"],
     "": [],
 }
-WEIGHTS = [8, 3, 8, 3, 4, 1, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1]
+FILES_FIRST = ("convert", "year", "glare", "terrain", "fit", "simulate", "evaluate", "animate", "weather", "daylight")
+WEIGHTS = [8, 3, 8, 3, 4, 1, 2, 2, 1, 1, 1, 1, 1, 1, 1, 2, 1, 1, 1]
 
 
 class Lines:
@@ -188,7 +192,7 @@ class Lines:
         asked = [option for option in COMMANDS[command] if self.random.random() < 0.95]
         asked += self.random.sample(known, min(len(known), self.random.choice([0, 0, 1, 1, 2, 3])))
         words = [command] if command else []
-        if command in ("convert", "year", "glare", "terrain", "fit", "simulate", "evaluate", "animate"):
+        if command in FILES_FIRST:
             words.append(self.random.choice(["none.exr", "none.epw", ".", "none.npz", "x" * 300]))
         for option in asked:
             words.append(option)
@@ -254,3 +258,15 @@ def run(count, seed=0, report=lambda done: None):
             found.append((words, wrong))
         report(k + 1)
     return found
+
+
+if __name__ == "__main__":
+    import os
+    import sys
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as here:
+        os.chdir(here)
+        faults = run(int(sys.argv[1]), int(sys.argv[2]), lambda done: done % 100 or print(done, flush=True))
+        os.chdir("/")
+    print(len(faults), "faults", *faults, sep="\n")

@@ -119,3 +119,35 @@ def test_what_a_sky_keeps_beside_its_parameters_is_not_walked():
     sky = sd.PhysicalSky(sd.direction(1.0, 0.5))
     first = sky.for_maps.luminance(sd.ZENITH)
     assert float(sky.for_maps.luminance(sd.ZENITH)) == float(first) > 0
+
+
+def test_series_densities_air_and_surroundings():
+    """What takes many hours or rays at once: the hours' labels, then those of the rays, then channels."""
+    kinds = pd.Series([2.0, 5.0], index=pd.Index(["clear", "hazy"], name="day"))
+    views = pd.DataFrame(VIEWS, index=list("nesw"))
+    sky, plain = sd.HosekWilkie(SUN, turbidity=kinds), sd.HosekWilkie(SUN, turbidity=np.array([[2.0], [5.0]]))
+    series = sd.luminance_series(sky, views)
+    same(series, sd.luminance_series(plain, VIEWS), kinds.index)
+    assert list(series.columns) == list("nesw")
+    same(sd.patch_means(sky), sd.patch_means(plain), kinds.index)
+    same(sd.sample_density(plain_sky := sd.Preetham(SUN, 3.0), views), sd.sample_density(plain_sky, VIEWS), views.index)
+
+    far = xr.DataArray([1e3, 5e3], {"range": [1, 5]}, ["range"])
+    ways = xr.DataArray(VIEWS, {"view": list("nesw")}, ["view", "axis"])
+    air = sd.aerial_perspective(plain_sky, far, ways)
+    bare = sd.aerial_perspective(plain_sky, np.array([[1e3], [5e3]]), VIEWS)
+    assert air.transmittance.dims == ("range", "view", "channel")
+    assert list(air.inscattered.channel) == ["red", "green", "blue"]
+    same(air.inscattered, bare.inscattered, pd.Index([1, 5]))
+    at = sd.aerial_perspective(plain_sky, far, sd.EAST, wavelengths=[450.0, 550.0])
+    assert list(at.transmittance.wavelength) == [450, 550]
+
+    hills, street = sd.Horizon.level(30 * sd.deg), sd.StreetCanyon(10.0, 8.0, floor_reflectance=0.2)
+    whole, bare_whole = sky + sd.SunDisc.of(sky), plain + sd.SunDisc.of(plain)
+    received, expected = (sd.obstructed_illuminance(one, hills, albedo=0.2) for one in (whole, bare_whole))
+    for part in ("sky", "sun", "reflected", "total"):
+        same(getattr(received, part), getattr(expected, part), kinds.index)
+    coloured = sd.obstructed_illuminance(sky, hills, light=sd.LightInRGB()).sky
+    same(coloured, sd.obstructed_illuminance(plain, hills, light=sd.LightInRGB()).sky, kinds.index)
+    assert list(coloured.columns) == ["red", "green", "blue"]
+    same(street.illuminance(whole, [0.0, 2.0]).total, street.illuminance(bare_whole, [0.0, 2.0]).total, kinds.index)

@@ -15,6 +15,7 @@ from skydome.captures.capture import Capture
 from skydome.captures.capture_training import day_recipe, train_captures
 from skydome.captures.captures import MASK, read_captures
 from skydome.captures.sky_mask import write_mask
+from skydome.ground.files.leftovers import sweep
 from skydome.ground.writing import appearing, is_hidden_part, require_place
 from skydome.maps.files import half_white
 from skydome.skies.neural.files import load_network, save_network
@@ -89,6 +90,7 @@ def run(job: Job, tell: Tell) -> dict[str, Any]:
 def require_free_folder(job: Job) -> None:
     """OSError where the folder cannot be made; ValueError where it holds frames of something else, or other things."""
     require_place(job.output, folder=True)
+    sweep(job.output)
     if not job.output.exists() or all(is_hidden_part(path) for path in job.output.iterdir()):
         return
     if not job.note.exists():

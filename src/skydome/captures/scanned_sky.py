@@ -41,7 +41,11 @@ class ScannedSky(ColourSky):
     def __post_init__(self) -> None:
         """Validate only."""
         required("scipy.interpolate", "captures", "a scanned sky")
-        if not self.scans or not all(isinstance(scan, Scan) for scan in self.scans):
+        if (
+            not isinstance(self.scans, tuple)
+            or not self.scans
+            or not all(isinstance(scan, Scan) for scan in self.scans)
+        ):
             raise TypeError("scans must be a tuple of one Scan or more, as `ScannedSky.read` finds in a file")
         super().__post_init__()
 

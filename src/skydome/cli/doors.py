@@ -24,6 +24,7 @@ def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) ->
     Traceback (most recent call last):
     ValueError: a map's file must end in .exr or .hdr, got 'sky.jpg'
     """
+    from skydome.ground.files.leftovers import sweep
     from skydome.ground.writing import require_place
 
     if path is None:
@@ -32,6 +33,7 @@ def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) ->
         allowed = " or ".join(filter(None, (", ".join(endings[:-1]), endings[-1])))
         raise ValueError(f"{what} must end in {allowed}, got {path.name!r}")
     require_place(path, folder=path.suffix.lower() == STORE)
+    sweep(path)
 
 
 def require_picture(path: Path | None, exposure: float | None) -> None:

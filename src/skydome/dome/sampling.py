@@ -10,6 +10,7 @@ from skydome.dome.integrals import discs_and_rest, own_array
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, brief, constant
 from skydome.ground.directions import angle_between, azimuth, checked_directions, direction, tangent_frame
+from skydome.ground.labels import keeps_labels
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -214,6 +215,7 @@ def sample(
     return SkySampler.of(sky, normal).sample(n, seed)
 
 
+@keeps_labels("sr-1", directions=1)
 def sample_density(sky: Sky, directions: ArrayLike, *, normal: ArrayLike | None = None) -> Array:
     """Probability density with which `sample` gives each direction (..., 3), sr-1, shape (...,).
 

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable
+from numbers import Real
 from os import PathLike
 from types import NoneType, UnionType
 from typing import TYPE_CHECKING, Any, get_args
@@ -37,6 +38,15 @@ def require_kind(value: object, kind: Kind, name: str, example: str) -> None:
     """
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be of kind {named(kind)}, as {example}, got {brief(value)}")
+
+
+def require_pair(value: object, name: str, example: str) -> None:
+    """TypeError, with an example of what is allowed, unless the value is a tuple of two numbers.
+
+    >>> require_pair((0.64, 0.33), "red", "(0.64, 0.33)")
+    """
+    if not (isinstance(value, tuple) and len(value) == 2 and all(isinstance(x, Real) for x in value)):
+        raise TypeError(f"{name} must be a pair of numbers, as {example}, got {brief(value)}")
 
 
 def numbers(value: "ArrayLike", name: str) -> np.ndarray:

@@ -19,6 +19,7 @@ from skydome.ground.arrays import (
     safe_sqrt,
 )
 from skydome.ground.labels import COMPONENTS, keeps_labels
+from skydome.ground.limits.ranges import FINITE, require_each
 from skydome.ground.units import in_degrees
 
 ZENITH: np.ndarray = Constant.of([0.0, 0.0, 1.0])
@@ -157,9 +158,11 @@ def separation_arccos(elevation_a: Array, elevation_b: Array, azimuth_difference
     >>> round(float(separation_arccos(0.0, 0.3, 0.0)), 12)
     0.3
     """
-    xp = namespace(elevation_a, elevation_b, azimuth_difference)
-    cosine = xp.sin(elevation_a) * xp.sin(elevation_b)
-    cosine = cosine + xp.cos(elevation_a) * xp.cos(elevation_b) * xp.cos(azimuth_difference)
+    a, b, d = require_each(
+        FINITE, elevation_a=elevation_a, elevation_b=elevation_b, azimuth_difference=azimuth_difference
+    )
+    xp = namespace(a, b, d)
+    cosine = xp.sin(a) * xp.sin(b) + xp.cos(a) * xp.cos(b) * xp.cos(d)
     return xp.acos(limited(cosine, -1.0, 1.0))
 
 
@@ -169,14 +172,13 @@ def separation_haversine(elevation_a: Array, elevation_b: Array, azimuth_differe
     >>> float(separation_haversine(0.0, 1e-9, 0.0))
     1e-09
     """
-    xp = namespace(elevation_a, elevation_b, azimuth_difference)
-
-    def hav(x: Array) -> Array:
-        return xp.sin(x / 2) ** 2
-
-    level = 1 - hav(elevation_a - elevation_b) - hav(elevation_a + elevation_b)  # see docs/units-and-frame.md
-    value = hav(elevation_a - elevation_b) + level * hav(azimuth_difference)
-    return 2 * xp.asin(safe_sqrt(limited(value, 0.0, 1.0)))
+    a, b, d = require_each(
+        FINITE, elevation_a=elevation_a, elevation_b=elevation_b, azimuth_difference=azimuth_difference
+    )
+    xp = namespace(a, b, d)
+    low = xp.sin((a - b) / 2) ** 2
+    level = 1 - low - xp.sin((a + b) / 2) ** 2  # see docs/units-and-frame.md
+    return 2 * xp.asin(safe_sqrt(limited(low + level * xp.sin(d / 2) ** 2, 0.0, 1.0)))
 
 
 def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_difference: Array) -> Array:
@@ -185,10 +187,12 @@ def separation_vincenty(elevation_a: Array, elevation_b: Array, azimuth_differen
     >>> round(float(separation_vincenty(0.0, 0.0, np.pi)), 12) == round(np.pi, 12)
     True
     """
-    xp = namespace(elevation_a, elevation_b, azimuth_difference)
-    sin_a, cos_a = xp.sin(elevation_a), xp.cos(elevation_a)
-    sin_b, cos_b = xp.sin(elevation_b), xp.cos(elevation_b)
-    sin_d, cos_d = xp.sin(azimuth_difference), xp.cos(azimuth_difference)
+    a, b, d = require_each(
+        FINITE, elevation_a=elevation_a, elevation_b=elevation_b, azimuth_difference=azimuth_difference
+    )
+    xp = namespace(a, b, d)
+    sin_a, cos_a, sin_b, cos_b = xp.sin(a), xp.cos(a), xp.sin(b), xp.cos(b)
+    sin_d, cos_d = xp.sin(d), xp.cos(d)
     across = safe_sqrt((cos_b * sin_d) ** 2 + (cos_a * sin_b - sin_a * cos_b * cos_d) ** 2)
     return xp.atan2(across, sin_a * sin_b + cos_a * cos_b * cos_d)
 

@@ -19,6 +19,11 @@ from skydome.ground.writing import appearing
 MAX_BYTES = 1 << 31
 MAX_HEADER = 1 << 20
 RUN_LENGTH_WIDTHS = range(8, 32768)
+LONGEST_LINE = 120
+"""Bytes of a line of the header: three.js's loader (release 170) loses its place after lines above 127."""
+
+GOES_ON = "+"
+"""Ends the name of a line whose value goes on from the line before."""
 
 
 def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
@@ -29,7 +34,7 @@ def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, An
     ValueError for values that are not finite or reach 2^127.
     """
     rows, columns = pixels.shape[:2]
-    lines = ["#?RADIANCE", *(f"{name}={one_line(value)}" for name, value in (header or {}).items())]
+    lines = ["#?RADIANCE", *(line for name, value in (header or {}).items() for line in folded(name, one_line(value)))]
     lines += ["FORMAT=32-bit_rle_rgbe", "", f"-Y {rows} +X {columns}", ""]
     scanlines = literal_runs(encode_rgbe(pixels))
     with appearing(path) as beside, beside.open("wb") as file:
@@ -40,6 +45,17 @@ def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, An
 def one_line(value: object) -> str:
     """The value as text without line breaks."""
     return " ".join(str(value).split())
+
+
+def folded(name: str, text: str) -> list[str]:
+    """A value as lines `name=...`, `name+=...`, none above `LONGEST_LINE` bytes.
+
+    >>> folded("note", 150 * "x")[1]
+    'note+=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx'
+    """
+    step = (LONGEST_LINE - len(name) - 1) // (1 if text.isascii() else 4) or 1
+    pieces = [text[start : start + step] for start in range(0, len(text), step)] or [""]
+    return [f"{name}{GOES_ON if k else ''}={piece}" for k, piece in enumerate(pieces)]
 
 
 def encode_rgbe(pixels: np.ndarray) -> np.ndarray:
@@ -121,8 +137,11 @@ def parsed_header(data: bytes, path: str | PathLike[str]) -> tuple[dict[str, str
         name, equals, value = line.partition("=")
         if equals and name == "EXPOSURE":
             exposure *= positive(value, path)
+        elif equals and name.endswith(GOES_ON) and name[:-1] in stated:
+            stated[name[:-1]] += value
         elif equals:
-            stated[name.strip()] = value.strip()
+            stated[name.strip()] = value
+    stated = {name: value.strip() for name, value in stated.items()}
     if stated.get("FORMAT", "32-bit_rle_rgbe") != "32-bit_rle_rgbe":
         raise ValueError(f"FORMAT must be 32-bit_rle_rgbe, got {stated['FORMAT']} in {path}")
     size = data[end + 2 : stop].decode("ascii", "replace").split()

@@ -5,6 +5,7 @@ both must label it alike.
 """
 
 from collections.abc import Callable, Iterable
+from dataclasses import fields
 from functools import wraps
 from inspect import signature
 from typing import Any, NamedTuple, TypeVar, cast
@@ -55,6 +56,14 @@ def brief(axis: Axis) -> str:
     return f"{name} of {axis.length}{ends}"
 
 
+class Parts:
+    """A result of several arrays with the same leading axes, the fields of a dataclass, which are labelled alike."""
+
+
+Last = tuple[Axis, ...] | Callable[[dict[str, Any]], tuple[Axis, ...]]
+"""The last axes of a result, or what tells them from the arguments by name."""
+
+
 class Door(NamedTuple):
     """The labels of all arguments of a call together, in the order in which they were met."""
 
@@ -93,7 +102,23 @@ class Door(NamedTuple):
         axes = [Axis(f"dim_{k}", None, length[k]) for k in range(leading)]
         for back, axis in zip(range(leading - 1, -1, -1), reversed(self.axes), strict=False):
             axes[back] = axis if axis.length == length[back] else axes[back]
-        return data_array(result, [*axes, *last], name, unit) if self.named else of_pandas(result, [*axes, *last], name)
+        axes += [axis._replace(length=size) for axis, size in zip(last, length[leading:], strict=True)]
+        return data_array(result, axes, name, unit) if self.named else of_pandas(result, axes, name)
+
+    def answer(self, result: Any, last: tuple[Axis, ...], name: str, unit: str) -> Any:
+        """A result of one array or of several (a tuple, `Parts`), each with the labels."""
+        if isinstance(result, Parts):
+            parts = {item.name: getattr(result, item.name) for item in fields(cast(Any, result))}
+            return type(result)(**{own: self.labelled(part, last, own, unit) for own, part in parts.items()})
+        if isinstance(result, tuple):
+            every = (self.labelled(part, last, name, unit) for part in result)
+            return tuple(every) if type(result) is tuple else type(result)(*every)
+        return self.labelled(result, last, name, unit)
+
+
+def last_of(last: Last, held: dict[str, Any]) -> tuple[Axis, ...]:
+    """The last axes of the result of a call."""
+    return last if isinstance(last, tuple) else last(held)
 
 
 def by_name(axes: list[Axis], more: list[Axis]) -> list[Axis]:
@@ -142,7 +167,7 @@ def labels_of(axis: Axis, pd: Any) -> Any:
     return pd.RangeIndex(axis.length) if axis.index is None else pd.Index(list(axis.index), name=axis.name)
 
 
-def keeps_labels(unit: str = "", last: tuple[Axis, ...] = (), **core: int) -> Callable[[Function], Function]:
+def keeps_labels(unit: str = "", last: Last = (), **core: int) -> Callable[[Function], Function]:
     """Decorate a function of arrays so that labelled arguments give labelled results.
 
     `core` says of each argument that may be labelled how many of its last axes the function takes together, as 1 for
@@ -168,9 +193,7 @@ def keeps_labels(unit: str = "", last: tuple[Axis, ...] = (), **core: int) -> Ca
             door = Door.of((value, core[name]) for name, value in given.items())
             plain = {name: door.array(value, core[name]) for name, value in given.items()}
             result = function(**(held | plain))
-            parts = result if isinstance(result, tuple) else (result,)
-            labelled = tuple(door.labelled(part, last, function.__name__, unit) for part in parts)
-            return labelled if isinstance(result, tuple) else labelled[0]
+            return door.answer(result, last_of(last, held), function.__name__, unit)
 
         return cast(Function, called)
 

@@ -7,14 +7,20 @@ followed, and a file keeps the permissions that it had. What is no file but take
 
 import errno
 import os
+import platform
+import re
 import secrets
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from hashlib import sha256
 from os import PathLike
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
+
+HIDDEN = re.compile(r"\.skydome-(?P<machine>[0-9a-f]{8})-(?P<process>[0-9]+)-[0-9a-f]{16}\.part")
+"""Names of what is not whole yet: by whom it is written."""
 
 UNABLE = (errno.EINVAL, errno.ENOTSUP, errno.ENOSYS)
 """What file systems answer that cannot wait for their disk."""
@@ -60,7 +66,16 @@ def takes_a_stream(mode: int) -> bool:
 
 def hidden_beside(final: Path) -> Path:
     """A new name in the same folder, hidden, and short whatever the file's own."""
-    return final.with_name(f".{secrets.token_hex(8)}.part")
+    return final.with_name(f".skydome-{machine()}-{os.getpid()}-{secrets.token_hex(8)}.part")
+
+
+def machine() -> str:
+    """Eight letters for this machine (or container): where a process is known by its number."""
+    try:
+        processes = os.readlink("/proc/self/ns/pid")
+    except OSError:
+        processes = ""
+    return sha256(f"{platform.node()} {processes}".encode()).hexdigest()[:8]
 
 
 def is_hidden_part(path: Path) -> bool:
@@ -69,7 +84,7 @@ def is_hidden_part(path: Path) -> bool:
     >>> is_hidden_part(hidden_beside(Path("sky.exr"))), is_hidden_part(Path("sky.exr"))
     (True, False)
     """
-    return path.name.startswith(".") and path.suffix == ".part"
+    return HIDDEN.fullmatch(path.name) is not None
 
 
 @contextmanager

@@ -11,8 +11,9 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
+from skydome.ground.labels import keeps_labels
 from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
-from skydome.haze.channels import RedGreenBlue, Wavelengths
+from skydome.haze.channels import RedGreenBlue, Wavelengths, channels_asked
 from skydome.haze.fast import FastAir
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities
@@ -194,10 +195,8 @@ class AirLight(Bounded):
         if is_numpy(direction):
             direction = constant(direction, self.like) if not is_numpy(self.like) else direction
         direction = constant(direction, distance) if not is_numpy(distance) and is_numpy(direction) else direction
-        distance, height = (
-            checked_metres(distance, direction, "distance", 0.0),
-            checked_metres(height, direction, "height"),
-        )
+        distance = checked_metres(distance, direction, "distance", 0.0)
+        height = checked_metres(height, direction, "height")
         if self.takes_kernel(distance, direction, height):
             found = AerialPerspective(*self.fast.at(distance, direction, float(height)))
         else:
@@ -216,6 +215,7 @@ class AirLight(Bounded):
         return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
 
 
+@keeps_labels(last=channels_asked, distance=0, direction=1, height=0, turbidity=0)
 def aerial_perspective(
     sky: Sky,
     distance: Any,

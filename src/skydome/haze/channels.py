@@ -7,11 +7,13 @@ import numpy as np
 
 from skydome.air.scattering import gas_total, haze_total
 from skydome.ground.arrays import Array, at_least, constant
+from skydome.ground.labels import Axis
 from skydome.haze.light import constant_or_own
 from skydome.light.colour import D65, SRGB, rgb_from_xyz, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.labelled import RGB_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -121,3 +123,9 @@ class RedGreenBlue:
         to_rgb = constant(self.response(), light)
         haze = constant_or_own(haze_total(BANDS, turbidity), light)
         return (light * haze) @ to_rgb, (light * constant(gas_total(BANDS), light)) @ to_rgb
+
+
+def channels_asked(held: dict[str, Any]) -> tuple[Axis, ...]:
+    """The last axis of light through air: wavelengths, or red, green and blue."""
+    wavelengths = held.get("wavelengths")
+    return RGB_CHANNELS if wavelengths is None else wavelength_axis(wavelengths)

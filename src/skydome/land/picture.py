@@ -12,6 +12,7 @@ from skydome.ground.arrays import as_numpy, constant
 from skydome.ground.compiled import shared
 from skydome.ground.directions import ZENITH, direction, tangent_frame, unit
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import SEED, require, require_one
 from skydome.ground.limits.sizes import require_count
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import EARTH_RADIUS
@@ -21,6 +22,7 @@ from skydome.haze.horizon_light import HORIZON, horizon_directions
 from skydome.haze.ward_larson import WardLarson
 from skydome.land.elevation import Elevation
 from skydome.land.terrain_picture import TerrainPicture
+from skydome.land.texture import surface_of
 from skydome.light.colour import rgb_from_xyz
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.sky import Sky
@@ -72,7 +74,13 @@ def render_terrain(
 
     require_kind(elevation, Elevation, "elevation", "Elevation(heights, dx=30.0, dy=30.0) or read_elevation(file)")
     require_kind(camera, Camera, "camera", "Camera(azimuth=270 * deg)")
+    require_kind(sky, Sky, "sky", "HosekWilkie(sun, turbidity=3.0)")
+    require_kind(air, AirLight | WardLarson | None, "air", "AirLight(sky)")
+    require_kind(curvature, bool, "curvature", "True")
+    require_kind(progress, Callable | None, "progress", "print")  # type: ignore[arg-type]
     require_samples(samples)
+    require("seed", seed, SEED)
+    require_one("seed", seed, whole=True)
     u, v = place_on(elevation, camera)
     heights = curved(elevation, u, v) if curvature else np.ascontiguousarray(elevation.heights, dtype=np.float64)
     z, base = height_at(heights, u, v) + camera.above_ground, float(np.min(elevation.heights))
@@ -99,6 +107,7 @@ def render_terrain(
 
 def require_samples(samples: int) -> None:
     """ValueError unless a square number."""
+    require_kind(samples, int, "samples", "16")
     require_count(samples, MOST_SAMPLES, "samples a pixel")
     if samples < 1 or round(samples**0.5) ** 2 != samples:
         raise ValueError(f"samples must be a square number such as 1, 4, 9 or 16, got {samples}")
@@ -136,18 +145,6 @@ def pyramid_of(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     offsets = np.cumsum([0, *(level.size for level in levels[:-1])])
     shapes = np.array([(o, *level.shape) for o, level in zip(offsets, levels, strict=True)], dtype=np.int64)
     return np.concatenate([level.ravel() for level in levels]), shapes
-
-
-def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, float, np.ndarray]:
-    """Reflectance (h, w, 3) of at least 2 x 2 texels, texels a cell along rows and columns, and the mean (3,)."""
-    image = np.asarray(albedo, dtype=np.float64)
-    image = np.broadcast_to(image, (2, 2, 3)) if image.ndim <= 1 else image
-    if image.ndim != 3 or image.shape[-1] != 3 or min(image.shape[:2]) < 2:
-        raise ValueError(f"albedo must be RGB (3,) or an image (h, w, 3), got shape {np.shape(albedo)}")
-    if not (np.isfinite(image).all() and image.min() >= 0 and image.max() <= 1):
-        raise ValueError(f"albedo must lie in [0, 1], got {image.min():g} to {image.max():g}")
-    scale = (image.shape[0] - 1) / (shape[0] - 1), (image.shape[1] - 1) / (shape[1] - 1)
-    return np.ascontiguousarray(image), float(scale[0]), float(scale[1]), image.mean(axis=(0, 1))
 
 
 def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

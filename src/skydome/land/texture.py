@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.ground.arguments import require_file
+from skydome.ground.arguments import numbers, require_file
 from skydome.ground.extras import required
 from skydome.land.elevation import Elevation, Extent
 from skydome.light.colour import SRGB, decode_srgb
@@ -147,3 +147,15 @@ def require_texels(shape: tuple[int, ...], name: str) -> None:
     """ValueError unless 2 x 2 or more."""
     if min(shape) < 2:
         raise ValueError(f"a texture must have 2 x 2 pixels or more, got {shape[0]} x {shape[1]} in {name}")
+
+
+def surface_of(albedo: Any, shape: tuple[int, ...]) -> tuple[np.ndarray, float, float, np.ndarray]:
+    """Reflectance (h, w, 3) of at least 2 x 2 texels, texels a cell along rows and columns, and the mean (3,)."""
+    image = numbers(albedo, "albedo")
+    image = np.broadcast_to(image, (2, 2, 3)) if image.ndim <= 1 and image.size in (1, 3) else image
+    if image.ndim != 3 or image.shape[-1] != 3 or min(image.shape[:2]) < 2:
+        raise ValueError(f"albedo must be RGB (3,) or an image (h, w, 3), got shape {np.shape(albedo)}")
+    if not (np.isfinite(image).all() and image.min() >= 0 and image.max() <= 1):
+        raise ValueError(f"albedo must lie in [0, 1], got {image.min():g} to {image.max():g}")
+    scale = (image.shape[0] - 1) / (shape[0] - 1), (image.shape[1] - 1) / (shape[1] - 1)
+    return np.ascontiguousarray(image), float(scale[0]), float(scale[1]), image.mean(axis=(0, 1))

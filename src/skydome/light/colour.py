@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arguments import require_kind
+from skydome.ground.arguments import require_kind, require_pair
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_divide, settled
 
 Chromaticity = tuple[float, float]
@@ -76,6 +76,10 @@ class RGBSpace:
 
     def __post_init__(self) -> None:
         """Validate only: three primaries span the colours, and the white is a mixture of all of them."""
+        require_kind(self.name, str, "name", "'sRGB'")
+        for name in ("red", "green", "blue", "white", "adapted_from"):
+            if getattr(self, name) is not None or name != "adapted_from":
+                require_pair(getattr(self, name), name, "(0.64, 0.33)")
         numbers = self.chromaticities
         if not all(math.isfinite(number) for number in numbers):
             raise ValueError(f"primaries and white must be finite numbers, got {numbers}")

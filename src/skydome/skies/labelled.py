@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar, cast
 import numpy as np
 
 from skydome.ground.arrays import is_compiling, is_labelled
-from skydome.ground.labels import Axis, Door
+from skydome.ground.labels import Axis, Door, Last, last_of
 from skydome.skies.validity import Ranged
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -23,10 +23,13 @@ class Answer(NamedTuple):
     last: tuple[Axis, ...] = ()
 
 
+XYZ_CHANNELS = (Axis("channel", ("X", "Y", "Z"), 3),)
+RGB_CHANNELS = (Axis("channel", ("red", "green", "blue"), 3),)
+
 ANSWERS = {
     "luminance": Answer("cd m-2"),
-    "xyz": Answer("cd m-2", (Axis("channel", ("X", "Y", "Z"), 3),)),
-    "rgb": Answer("cd m-2", (Axis("channel", ("red", "green", "blue"), 3),)),
+    "xyz": Answer("cd m-2", XYZ_CHANNELS),
+    "rgb": Answer("cd m-2", RGB_CHANNELS),
     "radiance": Answer("W m-2 sr-1 nm-1", (Axis("wavelength", None, 0),)),
 }
 """The ladder's methods."""
@@ -115,8 +118,8 @@ def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Ki
     return cast(Kind, result)
 
 
-def outer_labels(unit: str, last: tuple[Axis, ...] = ()) -> Callable[[Function], Function]:
-    """Decorate a function of a sky and normals: its answer has the sky's labels, then those of the normals.
+def outer_labels(unit: str, last: Last = (), directions: str = "normal") -> Callable[[Function], Function]:
+    """Decorate a function of a sky and directions: its answer has the sky's labels, then those of the directions.
 
     Labelled parameters get an axis of 1 for the directions of the dome. Wavelengths, if asked for, come last.
     """
@@ -127,26 +130,27 @@ def outer_labels(unit: str, last: tuple[Axis, ...] = ()) -> Callable[[Function],
         @wraps(function)
         def called(*arguments: Any, **named: Any) -> Any:
             held = dict(zip(names, arguments, strict=False)) | named
-            normal, wavelengths = held.get("normal"), held.get("wavelengths")
+            normal, wavelengths = held.get(directions), held.get("wavelengths")
             given = list(labelled_parts(held.get("sky")))
             normals = [(normal, 1)] if is_labelled(normal) else []
             if is_compiling() or not (given or normals):
                 return function(*arguments, **named)
             door, planes = Door.of(given), Door.of(normals)
-            Door.of(given + normals)
+            if door.named or planes.named:  # axes of one name are one axis; those of pandas stand apart
+                Door.of(given + normals)
 
             def on_dome(value: Any, core: int) -> Any:
                 return dome_axis(door.array(value, core), core) if is_labelled(value) else value
 
             held["sky"] = changed(held["sky"], on_dome)
             if normals:
-                held["normal"] = planes.array(normal, 1)
+                held[directions] = planes.array(normal, 1)
             rest = planes.axes or tuple(
-                Axis("normal", None, length) for length in np.shape(() if normal is None else normal)[:-1]
+                Axis(directions, None, length) for length in np.shape(() if normal is None else normal)[:-1]
             )
-            ends = last if wavelengths is None else wavelength_axis(wavelengths)
+            ends = last_of(last, held) if wavelengths is None else wavelength_axis(wavelengths)
             joint = Door(door.axes + rest, door.named or planes.named)
-            return joint.labelled(function(**held), ends, function.__name__, unit)
+            return joint.answer(function(**held), ends, function.__name__, unit)
 
         return cast(Function, called)
 

@@ -7,6 +7,7 @@ from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import checked_directions
 from skydome.skies.formula.fast import PRICE_OF_DIRECTIONS, checked_out, chosen, formula_light, many_skies
 from skydome.skies.formula.formula_sky import FormulaSky, Recipe
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 
 VALUES_AT_A_TIME = 1 << 18
@@ -33,6 +34,7 @@ def light_series(sky: FormulaSky, recipe: Recipe, directions: Array, out: np.nda
     return out
 
 
+@outer_labels("cd m-2", directions="directions")
 def luminance_series(sky: Sky, directions: Array, out: np.ndarray | None = None) -> np.ndarray:
     """Luminance of T skies toward directions (D, 3), cd m-2, float32 (T, D), written into `out` if given.
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.units import deg
 from skydome.sun.celestial import LIGHT_DAYS_PER_AU, aberrated, earth, from_place, terrestrial_days
 from skydome.sun.geocentric import JULIAN_DAY_J2000
@@ -58,6 +59,7 @@ def planets(place: Place, time: Times, refraction: bool = False) -> tuple[Planet
     >>> [planet.name for planet in planets(Place(50.0, 8.0), "2026-01-10T22:00Z") if planet.direction[2] > 0.5]
     ['Jupiter', 'Uranus']
     """
+    require_kind(refraction, bool, "refraction", "True")
     Place.required(place)
     given = checked_years(instants(time))
     utc = given.ravel()

@@ -1,6 +1,7 @@
 """The events of days, sunrise, noon, sunset and the three twilights, as roots of SPA's elevation.
 
-One day or several together: each look at the sun costs more than the instants in it.
+One day or several together: each look at the sun costs more than the instants in it. Who looks is told: SPA itself,
+or its course over many days (`track`).
 """
 
 from collections.abc import Callable
@@ -10,8 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.units import deg
-from skydome.sun.place import Place
-from skydome.sun.position import sun_angles
 
 SUNRISE, CIVIL, NAUTICAL, ASTRONOMICAL = -0.8333 * deg, -6 * deg, -12 * deg, -18 * deg
 """True elevation of the sun's centre at each event, radians; at sunrise 34' of refraction and 16' of radius."""
@@ -31,19 +30,22 @@ EVENTS = {
 DAY, STEP = 86400.0, 600.0
 """Seconds: of a day, and between the samples that bracket the roots."""
 
+Look = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+"""The sun's azimuth and elevation, radians, of the shape of the instants (datetime64[us])."""
+
 Curve = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """A function of the day's number (N,) and of seconds (N, ...), with values of the seconds' shape."""
 
 
 def day_events(
-    place: Place, starts: np.ndarray, ends: np.ndarray
+    look: Look, starts: np.ndarray, ends: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, dict[str, np.ndarray]]:
     """Noons of days between instants (D,), the elevations then, the instants of `EVENTS`, each (D,); NaT for none."""
-    noons = transits(place, starts, ends)
+    noons = transits(look, starts, ends)
     days = np.arange(noons.size)
 
     def elevation(rows: np.ndarray, seconds: np.ndarray) -> np.ndarray:
-        return sun_angles(place, later(noons[rows, None], seconds))[1]
+        return look(later(noons[rows, None], seconds))[1]
 
     seconds, values = sampled(elevation, days)
     times = {name: np.full(noons.size, np.datetime64("NaT", "us")) for name in EVENTS}
@@ -67,11 +69,11 @@ def later(instant: Any, seconds: ArrayLike) -> Any:
     return instant + np.rint(np.asarray(seconds) * 1e6).astype("timedelta64[us]")
 
 
-def transits(place: Place, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def transits(look: Look, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
     """Each day's transit (sun from east to west) between its start and end, or else the nearest to their middle."""
 
     def westward(rows: np.ndarray, seconds: np.ndarray) -> np.ndarray:
-        sine: np.ndarray = np.sin(sun_angles(place, later(starts[rows, None], seconds))[0])
+        sine: np.ndarray = np.sin(look(later(starts[rows, None], seconds))[0])
         return -sine
 
     lengths = (ends - starts) / np.timedelta64(1, "s")

@@ -2,13 +2,16 @@
 
 from dataclasses import dataclass, fields
 from datetime import UTC, date, datetime, tzinfo
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from skydome.ground.arrays import brief
 from skydome.sun.day_events import SUNRISE, day_events, later
 from skydome.sun.many_days import many_days
 from skydome.sun.place import Place
+from skydome.sun.position import sun_angles
 from skydome.sun.times import as_zone, local_midnight
 
 Instant = np.datetime64 | np.ndarray | None
@@ -94,7 +97,7 @@ def daylight_of(rises: bool, sets: bool, noon_elevation: float) -> str:
 def sun_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> SunEvents:
     """The events around the noon of `day`, or of each of many days, each within 0.05 s of the root of SPA's elevation.
 
-    `day` is a date or "2026-06-21", or a list or array of N of them (a year takes 0.1 s), by the calendar of `zone`;
+    `day` is a date or "2026-06-21", or a list or array of N of them (a year takes 0.05 s), by the calendar of `zone`;
     without a zone, of the place's mean solar time. The events lie within 12 hours of noon: in summer a late dusk can
     fall on the next date. Sunrise and sunset are at -0.8333 degrees, the twilights at -6, -12 and -18, of the true
     elevation of the sun's centre (US Naval Observatory). The place's altitude lowers no horizon, and the refraction of
@@ -112,7 +115,7 @@ def sun_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> SunE
     clock = UTC if zone is None else as_zone(zone)
     if np.ndim(day) == 0:
         start, end = day_bounds(place, calendar_date(day), zone)
-        noon, high, found = day_events(place, np.array([start]), np.array([end]))
+        noon, high, found = day_events(partial(sun_angles, place), np.array([start]), np.array([end]))
         one = {name: None if np.isnat(instant[0]) else instant[0] for name, instant in found.items()}
         return SunEvents(noon[0], float(high[0]), **one, zone=clock)
     if np.ndim(day) != 1:
@@ -140,7 +143,7 @@ def calendar_date(day: Any) -> date:
     try:
         return date.fromisoformat(str(day)[:10] if isinstance(day, np.datetime64) else day)
     except (TypeError, ValueError):
-        raise ValueError(f"date must read like 2026-06-21, got {day!r}") from None
+        raise ValueError(f"date must read like 2026-06-21, got {brief(day, typed=False)}") from None
 
 
 def day_bounds(place: Place, day: date, zone: str | tzinfo | None) -> tuple[np.datetime64, np.datetime64]:

@@ -7,12 +7,18 @@ import numpy as np
 
 from skydome.ground.directions import azimuth, elevation
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.ground.units import deg
+from skydome.sun.events import calendar_date
 from skydome.sun.place import Place
 from skydome.sun.position import sun_direction
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+STEPS = Range(0.1, 120.0, "minutes")
+"""Between the points of a path."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,9 +82,11 @@ def sun_path(place: Place, day: Any, step: float = 5.0) -> SunPath:
     >>> sun_path(Place(-33.9, 151.2), "2026-12-21", step=30).times.shape
     (48,)
     """
-    if not 0.1 <= step <= 120:
-        raise ValueError(f"step must lie in [0.1, 120] minutes, got {step:g}")
-    midnight = np.datetime64(day, "D").astype("datetime64[ms]") - np.timedelta64(round(place.longitude * 240e3), "ms")
+    Place.required(place)
+    require("step", step, STEPS)
+    require_one("step", step)
+    ahead = np.timedelta64(round(place.longitude * 240e3), "ms")
+    midnight = np.datetime64(calendar_date(day), "D").astype("datetime64[ms]") - ahead
     count = round(1440 / step)
     times = midnight + (np.arange(count) * 86_400_000 // count).astype("timedelta64[ms]")
     return SunPath(place, times, sun_direction(place, times))

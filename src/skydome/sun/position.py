@@ -63,9 +63,14 @@ def sun_angles(
 
 def topocentric(place: Place, utc: np.ndarray) -> np.ndarray:
     """Unit vectors from the place to the true sun, x east, y north, z up, shape (..., 3), at instants (...,)."""
-    toward: np.ndarray = (earth_fixed(utc.ravel()) - station(place)) @ local_axes(place).T
-    toward /= np.linalg.norm(toward, axis=-1, keepdims=True)
-    return toward.reshape(*utc.shape, 3)
+    return seen_from(place, earth_fixed(utc.ravel()).reshape(*utc.shape, 3))
+
+
+def seen_from(place: Place, sun: np.ndarray) -> np.ndarray:
+    """Unit vectors (..., 3), x east, y north, z up, from the place to the sun (..., 3), AU, in the earth's axes."""
+    toward: np.ndarray = (sun - station(place)) @ local_axes(place).T
+    toward /= np.sqrt(np.einsum("...i,...i->...", toward, toward))[..., None]
+    return toward
 
 
 def lifted(toward: np.ndarray, place: Place, pressure: float | None = None, temperature: float = 12.0) -> np.ndarray:

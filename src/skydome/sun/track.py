@@ -5,22 +5,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from skydome.ground.interpolation import lagrange
-from skydome.sun.celestial import local_axes
+from skydome.sun.geocentric import earth_fixed
 from skydome.sun.place import Place
-from skydome.sun.position import earth_sun_distance, sun_direction
+from skydome.sun.position import seen_from
 
 DAY = 86400.0
-
-REFERENCE = Place(0.0, 0.0)
-"""There up, east and north are the earth's own axes x, y, z."""
 
 
 @dataclass(frozen=True, eq=False)
 class SunTrack:
     """The sun over some days, for any place on the earth: SPA once a day, cubic interpolation between.
 
-    Held in axes that turn once in 86,400 s, in which the sun moves a degree a day. Within 0.004 degrees of SPA: the
-    sun's parallax of the reference place (0.0024) is kept for every place. `distance` (D,), AU, at each midnight, UTC.
+    `slow` (D, 3) is the sun from the earth's centre, AU, at each midnight, UTC, in axes that turn once in 86,400 s, in
+    which it moves a degree a day: within 1e-6 degrees of SPA. `distance` (D,), AU, then.
+
+    >>> track = SunTrack.over(np.datetime64("2026-06-21"), np.datetime64("2026-06-22"))
+    >>> noon = np.datetime64("2026-06-21T11:31", "s").astype(float)
+    >>> track.directions(Place(45.07, 7.69), noon).round(4).tolist()
+    [0.0002, -0.3687, 0.9296]
     """
 
     first: float
@@ -32,10 +34,9 @@ class SunTrack:
         """The track from a day before `start` to a day after `end`."""
         first = start.astype("datetime64[D]") - 2
         days = first + np.arange(int((end.astype("datetime64[D]") - first).astype(np.int64)) + 4)
-        local = sun_direction(REFERENCE, days.astype("datetime64[s]"))
         seconds = float(first.astype("datetime64[s]").astype(np.int64))
-        slow = np.asfortranarray(local[:, [2, 0, 1]])
-        return cls(seconds, slow, np.asarray(earth_sun_distance(days.astype("datetime64[s]"))))
+        slow = np.asfortranarray(earth_fixed(days.astype("datetime64[us]")))
+        return cls(seconds, slow, np.linalg.norm(slow, axis=-1))
 
     def distances(self, seconds: np.ndarray) -> np.ndarray:
         """Distance to the sun at the midnight before, AU, (...,)."""
@@ -43,7 +44,7 @@ class SunTrack:
         return np.asarray(self.distance[day])
 
     def earth_fixed(self, seconds: np.ndarray) -> np.ndarray:
-        """Unit vectors (..., 3) in the earth's axes (longitude 0, longitude 90 east, north) at seconds since 1970."""
+        """The sun from the earth's centre, AU (..., 3), as `geocentric.earth_fixed`, at seconds since 1970 (UTC)."""
         days = (seconds - self.first) / DAY
         before = np.clip(np.floor(days).astype(np.int64), 1, len(self.slow) - 3)
         weights = lagrange(days - (before - 1))
@@ -52,11 +53,8 @@ class SunTrack:
         )
         turn = 2 * np.pi * (days - np.floor(days))
         c, s = np.cos(turn), np.sin(turn)
-        toward: np.ndarray = np.stack([c * x + s * y, c * y - s * x, z], axis=-1)
-        toward /= np.sqrt(x * x + y * y + z * z)[..., None]
-        return toward
+        return np.stack([c * x + s * y, c * y - s * x, z], axis=-1)
 
     def directions(self, place: Place, seconds: np.ndarray) -> np.ndarray:
         """Unit vectors toward the sun (..., 3), x east, y north, z up, at a place and seconds since 1970 (UTC)."""
-        toward: np.ndarray = self.earth_fixed(seconds) @ local_axes(place).T
-        return toward
+        return seen_from(place, self.earth_fixed(seconds))

@@ -11,4 +11,5 @@
 - patch_view   What a place sees of the sky's patches, of the ground and of faces, for every hour of a year
 - faces        Light between the faces of a scene for a year, per luminance of each patch and per sun
 - light_kinds  In what light is counted on its way from sky to plane: lux, XYZ, RGB or wavelengths
+- channels     Reflectances and light of several places in one kind of light: their channels, shapes and limits
 """

@@ -12,11 +12,13 @@ from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions, checked_turn, direction
 from skydome.ground.limits.ranges import FINITE, SHARE, Bounded, Range
 from skydome.ground.quadrature import gauss_legendre
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.surroundings.bands import Bands, dihedral, level_axis
+from skydome.surroundings.channels import BELOW_ONE, channelled, check_shares, points_and_channels, side_by_side
 from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
 from skydome.surroundings.intervals import SKY
-from skydome.surroundings.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
+from skydome.surroundings.light_kinds import LUX, LightKind
 from skydome.surroundings.obstruction import PlaneView, Received
 from skydome.surroundings.radiosity import crossed_strings, interreflected, interreflected_channels
 
@@ -146,6 +148,7 @@ class StreetCanyon(Bounded, Scene):
         balance = interreflected_channels if light.trailing else interreflected
         return balance(side_by_side(columns, light), self.factors, self.reflectances(light))
 
+    @outer_labels("", points_and_channels)
     def illuminance(
         self,
         sky: Sky,

@@ -1,19 +1,19 @@
 """In what light is counted on its way from sky to plane: lux, XYZ, RGB or wavelengths; one trailing axis for colour."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_array, projected
-from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
+from skydome.ground.labels import Axis
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, checked_wavelengths
 from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.labelled import RGB_CHANNELS, XYZ_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -22,6 +22,11 @@ class LightKind(ABC):
     """A way to count light: `trailing` axes (0 or 1) of `channels` behind the shape that luminance would have."""
 
     trailing: ClassVar[int] = 1
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The last axis, with its labels; none without channels."""
+        return ()
 
     @property
     @abstractmethod
@@ -117,6 +122,11 @@ class LightInXYZ(LightKind):
     """
 
     @property
+    def axes(self) -> tuple[Axis, ...]:
+        """X, Y and Z."""
+        return XYZ_CHANNELS
+
+    @property
     def channels(self) -> int:
         """Three."""
         return 3
@@ -140,6 +150,11 @@ class LightInRGB(LightInXYZ):
     """
 
     space: RGBSpace = field(default=SRGB)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Red, green and blue."""
+        return RGB_CHANNELS
 
     def toward(self, sky: Sky, directions: Array) -> Array:
         """RGB; TypeError for a sky that knows luminance only."""
@@ -167,6 +182,11 @@ class LightInWavelengths(LightKind):
     def __post_init__(self) -> None:
         """Validate only."""
         checked_wavelengths(self.wavelengths)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The wavelengths."""
+        return wavelength_axis(self.wavelengths)
 
     @property
     def channels(self) -> int:
@@ -197,43 +217,8 @@ def coloured(sky: Sky) -> ColourSky:
 
 LUX = LightInLux()
 
-BELOW_ONE = float(np.nextafter(1.0, 0.0))
-"""The most that faces may reflect which see each other."""
-
 
 def in_library_of(table: np.ndarray, sky: Sky) -> Array:
     """A NumPy table in the library, dtype and device of the sky's own arrays."""
     like = own_array(sky)
     return table if like is None else constant(table, like)
-
-
-def side_by_side(columns: Sequence[Any], light: LightKind) -> Array:
-    """The light of several places, each (...,) or (..., C), as one array (..., P) or (..., P, C)."""
-    xp = namespace(columns[0])
-    return xp.stack([xp.asarray(column) for column in columns], axis=-1 - light.trailing)
-
-
-def channelled(value: Any, light: LightKind, faces: int | None = None) -> np.ndarray:
-    """A reflectance as () or (C,), or with `faces` as (N,) or (N, C): one of each face, of each channel, or of all.
-
-    ValueError for a shape that is none of these.
-    """
-    shares = light.shares(value)
-    channels = (light.channels,) if light.trailing else ()
-    fits = [(), *([channels] if channels else [])]
-    if faces is not None:
-        fits += [(faces,), (faces, *channels)]
-    if shares.shape not in fits:
-        raise ValueError(f"a reflectance must have one of the shapes {fits}, got {shares.shape}")
-    if faces is None:
-        return shares
-    if shares.shape == (faces,):
-        return shares
-    return np.broadcast_to(shares, (faces, *shares.shape[-1:]) if shares.ndim else (faces,))
-
-
-def check_shares(name: str, value: Any, most: float = 1.0) -> None:
-    """ValueError unless every reflectance lies in [0, 1], or in [0, 1) with `most` below 1."""
-    shares = value.values if isinstance(value, Spectrum) else numbers(value, name)
-    if not ((shares >= 0) & (shares <= most)).all():
-        raise ValueError(f"{name} must lie in [0, 1{']' if most == 1 else ')'}, got {value}")

@@ -12,10 +12,12 @@ from skydome.ground.arguments import numbers, require_file
 from skydome.ground.arrays import Array, constant
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.light.spectrum import Spectrum
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
+from skydome.surroundings.channels import BELOW_ONE, channelled, check_shares, points_and_channels, side_by_side
 from skydome.surroundings.faces import Enclosure, Faces, Scene, plain
 from skydome.surroundings.intervals import GROUND, SKY
-from skydome.surroundings.light_kinds import BELOW_ONE, LUX, LightKind, channelled, check_shares, side_by_side
+from skydome.surroundings.light_kinds import LUX, LightKind
 from skydome.surroundings.obstruction import TOLERANCE, PlaneView, Received
 from skydome.surroundings.radiosity import interreflected, interreflected_channels
 from skydome.surroundings.rays import ray_caster, trimesh_library
@@ -178,6 +180,7 @@ class MeshScene(Scene):
         falling = light.on_level(sky)
         return falling * constant(channelled(self.ground_albedo, light) / np.pi, falling)
 
+    @outer_labels("", points_and_channels)
     def illuminance(
         self, sky: Sky, points: ArrayLike, normals: ArrayLike = ZENITH, bands: int = 64, light: LightKind = LUX
     ) -> Received:

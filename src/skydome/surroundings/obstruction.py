@@ -10,19 +10,22 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
+from skydome.ground.labels import Parts
 from skydome.light.spectrum import Spectrum
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 from skydome.surroundings.bands import Bands
+from skydome.surroundings.channels import channelled, channels_asked, check_shares
 from skydome.surroundings.intervals import SKY, Intervals, Surroundings, intervals, refined
-from skydome.surroundings.light_kinds import LUX, LightKind, channelled, check_shares, in_library_of
+from skydome.surroundings.light_kinds import LUX, LightKind, in_library_of
 
 DISC_POINTS = 61
 TOLERANCE = 3e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Received:
+class Received(Parts):
     """Light on a plane, lx: from the `sky`, the `sun`'s disc, and `reflected`; each (...,), the sky's leading axes.
 
     In another kind of light, its unit, and (..., C).
@@ -113,6 +116,7 @@ class PlaneView:
             total = total + luminances.get(int(label), 0.0) * factor
         return total
 
+    @outer_labels("", channels_asked)
     def receive(
         self,
         sky: Sky,
@@ -172,6 +176,7 @@ def share_of_disc(sun: np.ndarray, radius: ArrayLike, surroundings: Surroundings
     return np.asarray((surroundings.seen(points) < 0).mean(axis=-1))
 
 
+@outer_labels("", channels_asked)
 def obstructed_illuminance(
     sky: Sky,
     surroundings: Surroundings,

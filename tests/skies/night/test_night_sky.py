@@ -184,7 +184,7 @@ def test_obscuration_against_skyfield(sky):
         axis = np.broadcast_to([1.0, 0.0, 0.0], away.shape)
         theirs = Eclipse(axis, away, ours.sun_radius, np.arcsin(1737.4 / moon.distance().km))
         print(f"obscuration within {np.abs(ours.obscuration - theirs.obscuration).max():.4f}")
-        np.testing.assert_allclose(ours.obscuration, theirs.obscuration, atol=0.005)
+        np.testing.assert_allclose(ours.obscuration, theirs.obscuration, atol=0.002)
 
 
 def test_an_eclipse_dims_sun_and_sky():

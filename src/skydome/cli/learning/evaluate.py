@@ -20,11 +20,11 @@ COLUMNS = {
     "illuminance_bias": "illuminance",
 }
 POINTED = {
-    "pointed_error": "pointed",
-    "pointed_error_beyond_20_degrees": "pointed, beyond 20°",
-    "turn_least_deg": "turn, from",
+    "pointed_error": "error, pointed",
+    "pointed_error_beyond_20_degrees": "beyond 20°",
+    "turn_least_deg": "turned from",
     "turn_most_deg": "to",
-    "tilt_mean_deg": "tilt",
+    "tilt_mean_deg": "tilt, degrees",
 }
 DEFAULT = "preetham,hosek-wilkie,discrete-ordinates,two-lobe-air"
 
@@ -84,18 +84,25 @@ def write_table(rows: list[dict[str, Any]], path: Path) -> None:
 
 
 def show_table(rows: list[dict[str, Any]]) -> None:
-    """The rows as a table on stdout."""
+    """The rows as a table on stdout, and those of scans pointed anew as another."""
+    show_columns(rows, COLUMNS, "numbers")
+    if "pointed_error" in rows[0]:
+        show_columns(rows, POINTED)
+
+
+def show_columns(rows: list[dict[str, Any]], columns: dict[str, str], last: str = "") -> None:
+    """A table of the rows' figures by name, under their headings; `last`: what is told in words."""
     from rich.console import Console
     from rich.table import Table
 
     shown = Table(box=None, pad_edge=False)
     shown.add_column("model", style="bold")
-    columns = COLUMNS | (POINTED if "pointed_error" in rows[0] else {})
     for heading in columns.values():
         shown.add_column(heading, justify="right")
-    shown.add_column("numbers", overflow="fold")
+    if last:
+        shown.add_column(last, overflow="fold")
     for row in rows:
-        shown.add_row(row["model"], *(f"{row[key]:.3f}" for key in columns), row["numbers"])
+        shown.add_row(row["model"], *(f"{row[key]:.3f}" for key in columns), *([row[last]] if last else []))
     Console().print(shown)
 
 

@@ -42,12 +42,14 @@ def simulate(
         raise ValueError(f"--for must be one of {FORMULA}, {PHYSICAL}, got {purpose!r}")
     if grid is None:
         raise ValueError("a grid must be named, such as grid.toml (an empty file: Hosek and Wilkie's whole grid)")
+    from skydome.ground.files.leftovers import sweep
     from skydome.ground.writing import require_place
     from skydome.own_air.grid import Grid
     from skydome.own_air.grid import simulate as run
 
     wanted = Grid.load(grid)
     require_place(output, folder=True)
+    sweep(output)
     with progress("simulating") as report:
         count = run(wanted, output, scheduler, workers, report)
     facts = {"store": str(output), "pieces": len(wanted.pieces), "computed": count, "shape": list(wanted.shape)}

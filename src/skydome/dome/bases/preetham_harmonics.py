@@ -66,7 +66,8 @@ def pairs() -> list[tuple[int, int]]:
 def numbers_at(angle: Array, turbidity: Array) -> Array:
     """The 21 coefficients of X, Y and Z, (..., 3, 21), for a sun in the east at zenith angles (...,)."""
     first, second = powers(angle / (np.pi / 4) - 1, SUN_DEGREE), powers((turbidity - 4) / 2, TURBIDITY_DEGREE)
-    product = (first[..., :, None] * second[..., None, :]).reshape((*angle.shape, -1))
+    terms = first.shape[-1] * second.shape[-1]
+    product = (first[..., :, None] * second[..., None, :]).reshape((*angle.shape, terms))
     return (product @ constant(fitted(), product)).reshape((*angle.shape, 3, len(pairs())))
 
 

@@ -9,6 +9,7 @@ from skydome.dome.bases.basis import Basis, flat_nodes
 from skydome.dome.bases.harmonic_bases import HemisphericalHarmonicBasis, LegendreBasis, SphericalHarmonicBasis
 from skydome.dome.bases.lobe_bases import GaussianBasis, SteerableBasis
 from skydome.dome.integrals import discs_and_rest, own_array, planes
+from skydome.ground.arguments import with_last_axis
 from skydome.ground.arrays import Array, Constant, as_numpy, at_least, constant, floating, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
 from skydome.ground.limits.ranges import FINITE
@@ -57,13 +58,12 @@ class SkyBasis(Sky):
     basis: Basis
     coefficients: Array
     bounds: ClassVar = {"coefficients": FINITE}
+    kinds: ClassVar = {"basis": (Basis, "SphericalHarmonicBasis(4)")}
 
     def __post_init__(self) -> None:
         """Validate only."""
         super().__post_init__()
-        count = floating(self.coefficients).shape[-1]
-        if count != self.basis.count:
-            raise ValueError(f"coefficients must have shape (..., {self.basis.count}), got (..., {count})")
+        with_last_axis(self.coefficients, self.basis.count, "coefficients")
 
     @staticmethod
     def fit(sky: Sky, kind: str = "steerable", order: int = 4) -> "SkyBasis":

@@ -8,7 +8,8 @@
 - blender   Blender: a script that sets the world, the sun, the units and the exposure of the view
 - mitsuba   Mitsuba 3: envmap and directional emitters
 - pbrt      pbrt-v4: infinite and distant lights
-- three     three.js: a module that adds background, diffuse light and sun
+- three     three.js: a module that adds background, environment and sun
+- three_environment  Its functions that make the environment's light exact on every side
 - radiance  Radiance: a glowing sky that shows the picture, and a source in W m-2 sr-1
 - gltf      glTF: the sun by KHR_lights_punctual
 """

@@ -11,6 +11,7 @@ from skydome.export.scenes.radiance import RadianceScene
 from skydome.export.scenes.scene import SceneFormat
 from skydome.export.scenes.three import ThreeScene
 from skydome.export.scenes.usd import USDScene
+from skydome.ground.arguments import require_path
 
 FORMATS: tuple[SceneFormat, ...] = (
     USDScene(),
@@ -38,7 +39,7 @@ def scene_format(path: str | PathLike[str]) -> SceneFormat:
     >>> scene_format("turin.usda").target_name
     'usd'
     """
-    suffix = Path(path).suffix.lower()
+    suffix = require_path(path, "a scene").suffix.lower()
     for kind in FORMATS:
         if kind.suffix == suffix:
             return kind

@@ -11,12 +11,15 @@ from skydome.dome.render import render
 from skydome.export.scenes.formats import scene_format
 from skydome.export.scenes.scene import SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp
+from skydome.ground.arguments import require_kind, require_path
+from skydome.ground.limits.ranges import NOT_NEGATIVE, require, require_one
 from skydome.ground.writing import appearing, require_place
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.tone import auto_exposure
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.files import Gamut, file_white, require_choices, space_in_file
 from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Sky
 from skydome.skies.validity import parameters_text
 
 UNNAMABLE = "\"'\\@<>&{}"
@@ -50,7 +53,11 @@ def save_scene(
     >>> sorted(file.name for file in folder.iterdir()), round(scene.lamp.illuminance, -3)
     (['noon.exr', 'noon.usda'], 82000.0)
     """
+    require_kind(sky, Sky, "sky", "HosekWilkie(sun, turbidity=3.0)")
+    require_kind(metadata, dict | None, "metadata", "{}")
     kind, path = scene_format(path), Path(path)
+    if map_path is not None:
+        require_path(map_path, "a map")
     beside = path.with_suffix(kind.map_suffix) if map_path is None else Path(map_path)
     require_scene(path, beside, white_luminance, exposure)
     own = {"projection": kind.target.projection, "space": space, "ground_albedo": ground_albedo, "metadata": metadata}
@@ -72,8 +79,11 @@ def require_scene(
         raise ValueError(
             f"a scene names its map, which must have none of {UNNAMABLE!r} in its name, got {map_path.name!r}"
         )
-    if exposure is not None and not 0 < exposure < float("inf"):
-        raise ValueError(f"exposure must be finite and more than 0 per cd m-2, got {exposure:g}")
+    if exposure is not None:
+        require("exposure", exposure, NOT_NEGATIVE)
+        require_one("exposure", exposure)
+    if exposure == 0:
+        raise ValueError("exposure must be finite and more than 0 per cd m-2, got 0")
 
 
 def write_scene(

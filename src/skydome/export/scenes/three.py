@@ -1,8 +1,9 @@
-"""three.js: a module that adds background, diffuse light and sun (release 155 and later: lights in physical units)."""
+"""three.js: a module that adds background, environment and sun (release 165 and later: lights in physical units)."""
 
 import json
 
 from skydome.export.scenes.scene import SceneFormat, SkyScene, listed
+from skydome.export.scenes.three_environment import ENVIRONMENT
 
 MODULE = """{about}
 //
@@ -21,19 +22,25 @@ export async function addSky(scene, renderer) {{
   const sky = await new EXRLoader().loadAsync(new URL({map_name}, import.meta.url).href);
   sky.mapping = THREE.EquirectangularReflectionMapping;
   scene.background = sky;
-  const cube = new THREE.WebGLCubeRenderTarget(128, {{ type: THREE.HalfFloatType }});
-  cube.fromEquirectangularTexture(renderer, sky);
-  const probe = await LightProbeGenerator.fromCubeRenderTarget(renderer, cube);
-  cube.dispose();
-  scene.add(probe);                      // diffuse light of the sky and of the map's ground
+  scene.environment = environmentOf(sky, renderer);   // light of the sky and of the map's ground
   renderer.toneMapping = THREE.ACESFilmicToneMapping;
   renderer.toneMappingExposure = unit * exposure;
-  if (lamp === null) return {{ sky, probe, sun: null }};
+  if (lamp === null) return {{ sky, sun: null }};
   const sun = new THREE.DirectionalLight(new THREE.Color(...lamp.color), lamp.intensity);
   sun.position.set(...lamp.toward);      // toward the sun; move it and its target together
   sun.castShadow = true;
   scene.add(sun, sun.target);
-  return {{ sky, probe, sun }};
+  return {{ sky, sun }};
+}}
+
+// For materials that know no environment (Lambert, Phong, Toon): scene.add(await probeOf(sky, renderer)). Nine
+// harmonics: under a low sun up to 24 % off on the side away from it. Physical materials would have the light twice.
+export async function probeOf(sky, renderer) {{
+  const cube = new THREE.WebGLCubeRenderTarget(128, {{ type: THREE.HalfFloatType }});
+  cube.fromEquirectangularTexture(renderer, sky);
+  const probe = await LightProbeGenerator.fromCubeRenderTarget(renderer, cube);
+  cube.dispose();
+  return probe;
 }}
 """
 
@@ -53,13 +60,14 @@ class ThreeScene(SceneFormat):
 
     def text(self, scene: SkyScene) -> str:
         """The module."""
-        return MODULE.format(
+        head = MODULE.format(
             about="\n".join(f"// {line}" for line in scene.lines(self)),
             white=scene.white,
             exposure=scene.exposure,
             lamp=self.lamp(scene),
             map_name=json.dumps(f"./{scene.map_name}"),
         )
+        return head + ENVIRONMENT
 
     def lamp(self, scene: SkyScene) -> str:
         """The sun's numbers as an object; null without a sun."""

@@ -3,5 +3,6 @@
 - reading   Files from anywhere: their size is known before they are unpacked; damaged ones are told
 - tensors   Bytes of a safetensors file that are the same for the same contents
 - folders   Folders that appear whole or not at all: stores, whoever begins them first
+- leftovers  What runs that were killed have left hidden: swept away by the next run
 - contents  A hash of what things hold, so that work is taken up for the same thing alone
 """

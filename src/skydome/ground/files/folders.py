@@ -54,7 +54,7 @@ def folder_replacing(path: str | PathLike[str]) -> Iterator[Path]:
         if not final.exists():
             os.rename(beside, final)
         elif not exchanged(beside, final):
-            old = hidden_beside(final)
+            old = hidden_beside(final).with_suffix(".old")  # never swept: for a moment the only whole one
             os.rename(final, old)
             os.rename(beside, final)
             shutil.rmtree(old, ignore_errors=True)

@@ -82,6 +82,13 @@ def require(name: str, value: Any, interval: Range) -> None:
         raise ValueError(f"{name} must lie in {interval}, got {first:g}")
 
 
+def require_each(interval: Range, **values: Any) -> list[Array]:
+    """The values as floating arrays; ValueError by its name for one that lies outside the interval."""
+    for name, value in values.items():
+        require(name, value, interval)
+    return [floating(value) for value in values.values()]
+
+
 def require_one(name: str, value: Any, whole: bool = False) -> None:
     """TypeError unless a number stands alone, and is a whole one where asked for; None passes.
 
@@ -91,7 +98,8 @@ def require_one(name: str, value: Any, whole: bool = False) -> None:
     """
     if value is None or not is_concrete(value):
         return
-    if np.ndim(as_numpy(value)) or (whole and value != int(value)):
+    held = np.asarray(as_numpy(value))
+    if held.ndim or (whole and not (held.dtype.kind in "biuf" and float(held).is_integer())):
         raise TypeError(f"{name} must be one {'whole ' if whole else ''}number, got {brief(value)}")
 
 

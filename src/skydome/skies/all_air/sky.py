@@ -244,7 +244,7 @@ class PhysicalSky(StokesSky):
         lit, height = self.at(NODES).single(), np.float32(sun[2])
         strengths = self.once(lit, view, height, between)
         shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
-        rest, day = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns)), float(self.is_day)
-        fields = (np.concatenate(shapes), rest[None])
-        series = [series_of(self.colours().of_light(some * day, lit.gases, height, view)) for some in fields]
+        rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
+        colours = self.colours().at_heights(lit.gases, height, view[:, 0]) * np.float32(self.is_day)
+        series = [series_of(fields @ colours) for fields in (np.concatenate(shapes), rest[None])]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))

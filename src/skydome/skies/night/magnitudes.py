@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import numbers
 from skydome.light.spectrum import xyz_weights
 
 ZERO = 2.54e-6
@@ -42,7 +43,7 @@ def surface_magnitude(luminance: ArrayLike) -> np.ndarray:
     >>> float(surface_magnitude(luminance_of(21.5)).round(6))
     21.5
     """
-    return np.asarray(-2.5 * np.log10(np.asarray(luminance, np.float64) * SQUARE_ARCSECOND / ZERO))
+    return np.asarray(-2.5 * np.log10(numbers(luminance, "luminance") * SQUARE_ARCSECOND / ZERO))
 
 
 def temperature_of(colour: ArrayLike) -> np.ndarray:

@@ -13,7 +13,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.bands import absorption_at
 from skydome.air.gases.gases import Gases
 from skydome.air.gases.skylight import skylight_share
-from skydome.ground.arrays import Array, constant
+from skydome.ground.arrays import Array, constant, namespace
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 
@@ -50,6 +50,14 @@ class SkyColours(NamedTuple):
     def width(self) -> int:
         """Numbers that the light comes to."""
         return 3
+
+    def at_heights(self, gases: Gases | None, sun: Array, view: Array) -> Array:
+        """From light (..., W) to CIE XYZ for views of cosines (H,), what gases take taken out: (H, W, 3)."""
+        whole = constant(self.whole, view)
+        if gases is None:
+            return namespace(view).broadcast_to(whole, (*view.shape, *whole.shape))
+        lost = constant(self.between, view) * (1 - skylight_share(gases, sun, view, self.dark))[:, None, :]
+        return whole - lost @ constant(self.taken, view)
 
     def of_light(self, light: Array, gases: Gases | None, sun: Array, view: Array) -> Array:
         """CIE XYZ of light (..., W) of a sun and toward views of cosines (...,) to the vertical, (..., 3)."""

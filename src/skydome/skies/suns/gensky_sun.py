@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arrays import Array, at_least, floating
+from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import SHARE, require
 from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.skies.suns.sun_disc import SunDisc
@@ -32,6 +33,6 @@ def gensky_sun(sun: Array, share: Any = 1.0) -> SunDisc:
     [17600.0, 75500.0]
     """
     require("share", share, SHARE)
-    sine = at_least(floating(sun)[..., 2], LOWEST)
+    sine = at_least(checked_directions(sun, "sun")[..., 2], LOWEST)
     light = BRIGHTEST * (1.147 - 0.147 / sine) * RADIANCE_EFFICACY * 2 * np.pi * (1 - np.cos(RADIUS))
-    return SunDisc(sun, angular_radius=RADIUS, direct_normal_illuminance=share * light)
+    return SunDisc(sun, angular_radius=RADIUS, direct_normal_illuminance=floating(share) * light)

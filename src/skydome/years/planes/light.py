@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skydome.dome.patches import patches as patches_named
+from skydome.ground.arguments import require_kind
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
+from skydome.ground.limits.ranges import SHARE, require, require_one
 from skydome.ground.units import SOLAR_CONSTANT, deg
 from skydome.sun.position import earth_sun_distance, radius_at
 from skydome.surroundings.intervals import Open
@@ -59,6 +61,7 @@ def on_planes(
     ((12, 2), True)
     """
     required("xarray", "year", "a year on planes")
+    require_kind(planes, Plane | list | tuple, "planes", "[Plane(30 * deg)]")
     planes = [planes] if isinstance(planes, Plane) else list(planes)
     model = transposition_named(transposition)
     check(planes, albedo, model)
@@ -80,8 +83,8 @@ def check(planes: Sequence[Plane], albedo: float, model: Transposition) -> None:
             raise ValueError(
                 f"transposition {model.name!r} knows open planes only; use 'perez-1993' among obstructions"
             )
-    if not 0 <= albedo <= 1:
-        raise ValueError(f"albedo must lie in [0, 1], got {albedo}")
+    require("albedo", albedo, SHARE)
+    require_one("albedo", albedo)
 
 
 def suns_of(skies: "xarray.Dataset") -> np.ndarray:

@@ -5,7 +5,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.directions import checked_turn, direction
+from skydome.ground.limits.ranges import FINITE, require, require_one
 from skydome.ground.units import deg, in_degrees
 from skydome.surroundings.intervals import Open, Surroundings
 
@@ -30,6 +32,11 @@ class Plane:
     name: str = ""
 
     def __post_init__(self) -> None:
+        require_kind(self.surroundings, Surroundings, "surroundings", "Horizon.level(30 * deg)")
+        require_kind(self.name, str, "name", "'roof'")
+        for name in ("tilt", "azimuth"):
+            require(name, getattr(self, name), FINITE)
+            require_one(name, getattr(self, name))
         if not 0 <= self.tilt <= np.pi:
             raise ValueError(f"the tilt of a plane must lie in [0, 180] degrees, got {in_degrees(self.tilt)}")
         checked_turn(self.azimuth, "azimuth of a plane")

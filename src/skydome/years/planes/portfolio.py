@@ -77,7 +77,7 @@ def portfolio(
     check(planes, albedo, model)
     known = Coefficients.of(planes, patches_named(patches), albedo)
     question = Question(list(planes), known, patches, albedo, model, target)
-    work = list(enumerate(sites))
+    work = [(index, site.anywhere) for index, site in enumerate(sites)]
     batches = [work[k : k + SITES_A_TASK] for k in range(0, len(work), SITES_A_TASK)]
     answers: list[Answer] = []
     with cluster_client(PURPOSE, scheduler, workers) as client:

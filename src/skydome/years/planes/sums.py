@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import brief
 from skydome.ground.extras import required
 from skydome.ground.units import deg
 
@@ -29,6 +31,8 @@ def monthly_sums(light: "xarray.Dataset") -> "xarray.Dataset":
     required("xarray", "year", "sums of a year")
     import xarray
 
+    require_kind(light, xarray.Dataset, "light", "on_planes(year, planes)")
+    require_variables(light, ("irradiance", "local_time", "interval_hours"), "on_planes")
     local = light["local_time"].values.astype("datetime64[M]").astype(np.int64) % 12 + 1
     months = np.unique(local)
     hours = (months[:, None] == local) * light["interval_hours"].values  # (M, T)
@@ -64,6 +68,8 @@ def cumulative_sky(skies: "xarray.Dataset", when: ArrayLike | None = None) -> "x
     required("xarray", "year", "a cumulative sky")
     import xarray
 
+    require_kind(skies, xarray.Dataset, "skies", 'year("turin.epw")')
+    require_variables(skies, ("luminance", "sun_patch", "solid_angle", "interval_hours"), "year")
     hours = chosen_hours(skies, when)
     light = np.nan_to_num(skies["luminance"].values)
     level = np.nan_to_num(skies["diffuse_horizontal_illuminance"].values)
@@ -88,6 +94,13 @@ def cumulative_sky(skies: "xarray.Dataset", when: ArrayLike | None = None) -> "x
     return xarray.Dataset(exposures, places, {"title": title} | kept | {"hours": float(hours.sum())})
 
 
+def require_variables(data: "xarray.Dataset", names: tuple[str, ...], maker: str) -> None:
+    """ValueError with what lacks, unless the Dataset has all the names."""
+    lacking = [name for name in names if name not in data]
+    if lacking:
+        raise ValueError(f"a Dataset of `{maker}` is asked for, got one without {', '.join(lacking)}")
+
+
 RADIANT = ("diffuse_horizontal_irradiance", "direct_normal_irradiance", "direct_normal_illuminance")
 
 
@@ -96,7 +109,10 @@ def chosen_hours(skies: "xarray.Dataset", when: ArrayLike | None) -> np.ndarray:
     length: np.ndarray = skies["interval_hours"].values
     if when is None:
         return length
-    chosen = np.asarray(when)
+    try:
+        chosen = np.asarray(when)
+    except ValueError:  # a list of lists of several lengths
+        raise ValueError(f"when must be booleans of shape {length.shape}, got {brief(when)}") from None
     if chosen.shape != length.shape or chosen.dtype != bool:
         raise ValueError(f"when must be booleans of shape {length.shape}, got {chosen.dtype} of {chosen.shape}")
     kept: np.ndarray = length * chosen

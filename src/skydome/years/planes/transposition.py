@@ -13,6 +13,7 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from skydome.ground.arguments import require_word
 from skydome.ground.directions import zenith_angle
 from skydome.ground.tables import columns
 from skydome.skies.formula.perez_table import brightness, clearness, clearness_bin
@@ -173,6 +174,4 @@ def transposition_named(name: "str | Transposition") -> Transposition:
     """The model of that name; ValueError that lists them for another."""
     if isinstance(name, Transposition):
         return name
-    if name not in TRANSPOSITIONS:
-        raise ValueError(f"transposition must be one of {', '.join(TRANSPOSITIONS)}, got {name!r}")
-    return TRANSPOSITIONS[name]
+    return TRANSPOSITIONS[require_word(name, TRANSPOSITIONS, "transposition")]

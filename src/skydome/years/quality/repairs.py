@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.years.quality.checks import AT_NIGHT, Looked
 from skydome.years.quality.clear_sky import ClearSky
 from skydome.years.weather.weather import Weather
@@ -47,6 +48,7 @@ def repaired(weather: Weather) -> Repaired:
     >>> done.counts, bool(np.isfinite(done.weather.direct_normal).all())
     ({'between': 2}, True)
     """
+    require_kind(weather, Weather, "weather", 'read_weather("turin.epw")')
     looked = Looked.at(weather)
     direct, diffuse = weather.direct_normal.copy(), weather.diffuse_horizontal.copy()
     how = np.zeros(weather.count, np.uint8)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.sun.track import SunTrack
 from skydome.years.quality.checks import FLAGS, Looked, flags_of
 from skydome.years.quality.clear_sky import linke_of_beam
@@ -74,6 +75,8 @@ def quality(weather: Weather, track: SunTrack | None = None) -> QualityReport:
     >>> round(report.sums["global"]), round(report.variability, 2)
     (1566, 0.1)
     """
+    require_kind(weather, Weather, "weather", 'read_weather("turin.epw")')
+    require_kind(track, SunTrack | None, "track", "SunTrack.over(start, end)")
     track = track or SunTrack.over(weather.start[0], weather.end[-1])
     looked = Looked.at(weather, track)
     step = np.median((weather.end - weather.start).astype(np.float64)) / 3600

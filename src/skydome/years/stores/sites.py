@@ -1,6 +1,7 @@
 """Many sites, one Zarr store: computed by Dask workers, each site written whole, resumed where it stopped."""
 
 import csv
+import os
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -117,13 +118,14 @@ def run_sites(
 
     with cluster_client(purpose, scheduler, workers) as client:
         group = open_store(store, sites, choices)
-        open_work = [(k, site) for k, site in enumerate(sites) if not is_whole(store, group, k)]
+        open_work = [(k, site.anywhere) for k, site in enumerate(sites) if not is_whole(store, group, k)]
         batches = [open_work[k : k + SITES_A_TASK] for k in range(0, len(open_work), SITES_A_TASK)]
         notes: list[str] = []
         done = len(sites) - len(open_work)
         if progress is not None:
             progress(done, len(sites))
-        futures = [client.submit(make_sites, str(store), batch, choices, pure=False, retries=3) for batch in batches]
+        where = os.path.abspath(store)  # workers may stand in other folders
+        futures = [client.submit(make_sites, where, batch, choices, pure=False, retries=3) for batch in batches]
         for future in as_completed(futures):
             outcomes = future.result()
             notes += [outcome.error for outcome in outcomes if outcome.error]

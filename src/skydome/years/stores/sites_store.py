@@ -6,7 +6,7 @@ names and encodes them: seven small writes a site by `zarr` itself took as long 
 
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from struct import Struct
@@ -17,6 +17,7 @@ import numpy as np
 from skydome.dome.patches import patches as patches_named
 from skydome.ground.files.contents import digest_of_file
 from skydome.ground.files.folders import folder_appearing
+from skydome.ground.files.leftovers import sweep
 from skydome.ground.writing import hidden_beside
 from skydome.years.skies.status import BITS
 
@@ -46,6 +47,11 @@ class Site:
     name: str
     file: str
 
+    @property
+    def anywhere(self) -> "Site":
+        """The same for processes that stand in other folders."""
+        return replace(self, file=os.path.abspath(self.file))
+
 
 def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str, Any]) -> Any:
     """The Zarr group for these sites and choices, made if it is not there; ValueError where it is of others.
@@ -55,6 +61,7 @@ def open_store(store: str | PathLike[str], sites: list[Site], choices: dict[str,
     import zarr
 
     about = about_of(sites, choices)
+    sweep(store)
     if not Path(store).exists():
         try:
             with folder_appearing(store) as beside:

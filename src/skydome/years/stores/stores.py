@@ -13,6 +13,7 @@ import numpy as np
 from skydome.dome.patches import patches as patches_named
 from skydome.ground.extras import required
 from skydome.ground.files.folders import folder_appearing, folder_replacing, is_empty
+from skydome.ground.files.leftovers import sweep
 from skydome.ground.writing import appearing, require_place
 from skydome.years.skies.series import year
 from skydome.years.weather.closure import facts_of
@@ -103,6 +104,7 @@ def require_free(path: str | os.PathLike[str], overwrite: bool = False) -> None:
     An empty folder may always.
     """
     folder = require_place(path, folder=True)
+    sweep(folder)
     if is_empty(folder):
         return
     if not is_year(folder):

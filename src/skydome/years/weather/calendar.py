@@ -7,6 +7,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
+from skydome.ground.arrays import brief
+
 Label = Literal["end", "start", "middle", "instant"]
 """Where a row's time stands in the interval that it describes."""
 
@@ -19,8 +21,8 @@ HALF_A_YEAR = 6
 
 def check_label(label: str) -> None:
     """ValueError for what is none of the labels."""
-    if label not in get_args(Label):
-        raise ValueError(f'label must be "end", "start", "middle" or "instant", got {label!r}')
+    if not isinstance(label, str) or label not in get_args(Label):
+        raise ValueError(f'label must be "end", "start", "middle" or "instant", got {brief(label, typed=False)}')
 
 
 def laid_years(years: np.ndarray, months: np.ndarray, days: np.ndarray, year: int | None) -> np.ndarray:

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import brief
+from skydome.ground.limits.ranges import FINITE, Range, require, require_one
 from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
 from skydome.years.weather.calendar import Label, check_label
@@ -16,6 +19,19 @@ from skydome.years.weather.sun_of_interval import Intervals
 
 if TYPE_CHECKING:
     import pandas as pd
+
+
+OFFSETS = Range(-26.0, 26.0, "hours")
+OPTIONAL = ("direct_illuminance", "diffuse_illuminance", "global_horizontal")
+
+
+def require_rows(value: object, name: str, kinds: str, count: int | None) -> None:
+    """TypeError or ValueError unless the value is an array (T,) of `count` numbers or times."""
+    what = "datetime64" if kinds == "M" else "numbers"
+    if not isinstance(value, np.ndarray) or value.dtype.kind not in kinds:
+        raise TypeError(f"{name} must be an array (T,) of {what}, got {brief(value)}")
+    if value.ndim != 1 or (count is not None and len(value) != count):
+        raise ValueError(f"{name} must have shape {'(T,)' if count is None else f'({count},)'}, got {value.shape}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +66,7 @@ class Weather(Intervals):
     shifted: float = 0.0
 
     def __post_init__(self) -> None:
+        self.require_arrays()
         if len(self.start) == 0:
             raise ValueError(f"weather must have at least one row of data, got none{self.where}")
         for name in ("direct_normal", "diffuse_horizontal"):
@@ -58,6 +75,21 @@ class Weather(Intervals):
         if (steps <= 0).any():
             row = int(np.flatnonzero(steps <= 0)[0]) + 2
             raise ValueError(f"times must increase, got a step back in row {row} of the data{self.where}")
+
+    def require_arrays(self) -> None:
+        """TypeError or ValueError unless every part is of its kind, and the arrays have one length."""
+        Place.required(self.place)
+        check_label(self.label)
+        for name, example in (("name", "'Turin'"), ("decomposition", "''")):
+            require_kind(getattr(self, name), str, name, example)
+        for name, interval in (("utc_offset", OFFSETS), ("shifted", FINITE)):
+            require(name, getattr(self, name), interval)
+            require_one(name, getattr(self, name))
+        require_rows(self.start, "start", "M", None)
+        require_rows(self.end, "end", "M", len(self.start))
+        for name in ("direct_normal", "diffuse_horizontal", "dew_point", *OPTIONAL):
+            if getattr(self, name) is not None or name not in OPTIONAL:
+                require_rows(getattr(self, name), name, "fiu", len(self.start))
 
     @classmethod
     def from_frame(

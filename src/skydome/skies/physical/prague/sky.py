@@ -13,6 +13,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import SHARE, Range
@@ -65,6 +66,7 @@ class Prague(SunlitSky, SpectralSky):
 
     def __post_init__(self) -> None:
         """The file's only albedo where none is given; then validate."""
+        require_kind(self.data, PragueFile | str | PathLike, "data", "'SkyModelDatasetGround.dat'")
         if self.albedo is None:
             object.__setattr__(self, "albedo", float(self.held.albedos[np.abs(self.held.albedos - 0.2).argmin()]))
         super().__post_init__()
