@@ -118,11 +118,7 @@ CATALOGUE: tuple[Model, ...] = (
         DiscreteOrdinates,
         failures="no polarisation (up to 7 % at 400 nm); one lobe cannot have both the aureole and the sides right",
     ),
-    AirModel(
-        "klassen-1987",
-        Klassen87,
-        failures="one scattering in flat layers: too dark, and a low sun goes through too much air",
-    ),
+    AirModel("klassen-1987", Klassen87),
     AirModel(
         "nishita-1993",
         Nishita93,
