@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome.cli.main import app
 from skydome.sun.refraction import standard_pressure
-from skydome.years.quality.clear_sky import ineichen
+from skydome.years.quality.clear_sky import bird, ineichen
 from skydome.years.weather.reading import read_weather
 
 BLACK = 34
@@ -26,6 +26,17 @@ def test_the_clear_sky_is_pvlibs():
     ours = ineichen(np.radians(zenith), 1380.0, 700.0, 3.4)
     for mine, name in zip(ours, ("ghi", "dhi", "dni"), strict=True):
         np.testing.assert_allclose(mine, theirs[name], rtol=1e-9, atol=1e-9)
+
+
+def test_birds_clear_sky_is_pvlibs():
+    zenith = np.linspace(0, 89, 60)
+    mass = pvlib.atmosphere.get_relative_airmass(zenith)
+    pressure = float(standard_pressure(1600.0))
+    theirs = pvlib.clearsky.bird(zenith, mass, 0.0, 0.2 / 0.35, 0.8, 0.34, pressure, 1380.0, 0.85, 0.1)
+    ours = bird(np.radians(zenith), 1380.0, 1600.0, 0.2, 0.8, 0.34, 0.1)
+    for mine, name in zip(ours, ("ghi", "dhi", "dni"), strict=True):
+        np.testing.assert_allclose(mine, theirs[name], rtol=1e-9)
+    assert not bird(np.array([1.7]), 1367.0, 0.0).global_horizontal.any()
 
 
 def with_changed(weather, **columns):

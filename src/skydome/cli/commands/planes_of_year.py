@@ -169,29 +169,10 @@ def in_mesh(asked: YearOptions, tilted: list[tuple[float, float]], ground: float
 
 def facts_of(light: Any) -> dict[str, Any]:
     """Sums of each plane, with their units in the names."""
-    import numpy as np
-
     from skydome.years.planes.sums import monthly_sums
 
     sums = monthly_sums(light)
-    whole = sums.sum("month")
-    lit = light["illuminance"].where(light["illuminance"] > 0)
-    planes = []
-    for k, label in enumerate(light["plane"].values):
-        parts = {name: round(float(whole[f"{name}_irradiation"][k]), 2) for name in ("sky", "sun", "reflected")}
-        planes.append(
-            {
-                "plane": str(label),
-                "sky_view_factor": round(float(light["sky_view_factor"][k]), 4),
-                "irradiation_kwh_m2": parts | {"total": round(float(whole["irradiation"][k]), 2)},
-                "light_exposure_klx_h": round(float(whole["light_exposure"][k]), 1),
-                "mean_daylight_lx": round(float(lit[:, k].mean()), 1) if bool(np.isfinite(lit[:, k]).any()) else 0.0,
-                "monthly_irradiation_kwh_m2": {
-                    int(month): round(float(value), 2)
-                    for month, value in zip(sums["month"].values, sums["irradiation"].values[:, k], strict=True)
-                },
-            }
-        )
+    planes = [facts_of_plane(light.isel(plane=k), sums.isel(plane=k)) for k in range(light.sizes["plane"])]
     told = {name: light.attrs[name] for name in ("shift", "closure", "decomposition") if name in light.attrs}
     place = {name: float(light.attrs[name]) for name in ("latitude", "longitude", "altitude", "utc_offset")}
     return {
@@ -203,6 +184,24 @@ def facts_of(light: Any) -> dict[str, Any]:
         "ground_albedo": light.attrs["albedo"],
         **told,
         "planes": planes,
+    }
+
+
+def facts_of_plane(light: Any, sums: Any) -> dict[str, Any]:
+    """One plane's sums, in all, by part and by month."""
+    whole = sums.sum("month")
+    parts = {name: round(float(whole[f"{name}_irradiation"]), 2) for name in ("sky", "sun", "reflected")}
+    lit = light["illuminance"].values[light["illuminance"].values > 0]
+    return {
+        "plane": str(light["plane"].values),
+        "sky_view_factor": round(float(light["sky_view_factor"]), 4),
+        "irradiation_kwh_m2": parts | {"total": round(float(whole["irradiation"]), 2)},
+        "light_exposure_klx_h": round(float(whole["light_exposure"]), 1),
+        "mean_daylight_lx": round(float(lit.mean()), 1) if lit.size else 0.0,
+        "monthly_irradiation_kwh_m2": {
+            int(month): round(float(value), 2)
+            for month, value in zip(sums["month"].values, sums["irradiation"].values, strict=True)
+        },
     }
 
 

@@ -152,11 +152,8 @@ def single(
     overwrite: bool,
 ) -> dict[str, Any]:
     """One site's year, written and drawn; the facts to print."""
-    from skydome.years.skies.series import year as year_of
-    from skydome.years.skies.status import counts
-    from skydome.years.stores.radiance_files import write_matrix, write_suns
-    from skydome.years.stores.spectral_matrix import write_spectral_matrix
-    from skydome.years.stores.stores import write_dataset, write_year
+    from skydome.years.stores.radiance_files import write_suns
+    from skydome.years.stores.stores import write_year
     from skydome.years.weather.reading import read_weather
 
     with progress("a year of skies"):
@@ -164,14 +161,7 @@ def single(
         if output is not None and is_store(output) and choices["compat"] != "gendaymtx":
             data = write_year(weather, output, overwrite=overwrite, **choices)
         else:
-            data = year_of(weather, **choices)
-            if output is not None and output.suffix.lower() == ".mtx":
-                if "radiance" in data and not sun_in_patch:
-                    write_spectral_matrix(data, output, not ascii_text)
-                else:
-                    write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
-            elif output is not None:
-                write_dataset(data, output, overwrite)
+            data = made_and_written(weather, choices, output, ascii_text, sun_in_patch, overwrite)
         if suns is not None:
             write_suns(data, suns)
         if plot is not None:
@@ -179,15 +169,41 @@ def single(
             from skydome.figures.years import year_figure
 
             save_figure(year_figure(data), plot)
+    return facts_of_year(data) | {"files": [str(file) for file in (output, suns, plot) if file is not None]}
+
+
+def made_and_written(
+    weather: Any, choices: dict[str, Any], output: Path | None, ascii_text: bool, sun_in_patch: bool, overwrite: bool
+) -> Any:
+    """The year, written as a matrix, a file or a store where an `output` is asked for."""
+    from skydome.years.skies.series import year as year_of
+    from skydome.years.stores.radiance_files import write_matrix
+    from skydome.years.stores.spectral_matrix import write_spectral_matrix
+    from skydome.years.stores.stores import write_dataset
+
+    data = year_of(weather, **choices)
+    if output is None:
+        return data
+    if output.suffix.lower() != ".mtx":
+        write_dataset(data, output, overwrite)
+    elif "radiance" in data and not sun_in_patch:
+        write_spectral_matrix(data, output, not ascii_text)
+    else:
+        write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
+    return data
+
+
+def facts_of_year(data: Any) -> dict[str, Any]:
+    """What is told of a year."""
+    from skydome.years.skies.status import counts
+
     facts = {"site": data.attrs["title"], "place": place_facts(data), "hours": data.sizes["time"]}
-    facts |= {
-        name: data.attrs[name] for name in ("shift", "closure", "closure_shift", "decomposition") if name in data.attrs
-    }
+    told = ("shift", "closure", "closure_shift", "decomposition")
+    facts |= {name: data.attrs[name] for name in told if name in data.attrs}
     facts |= {"patches": data.sizes["patch"], "status": counts(data["status"].values)}
     diffuse = data["diffuse_horizontal_illuminance"]
-    facts["mean_diffuse_horizontal_lx"] = round(float(diffuse.where(data["lit_share"] > 0).mean()), 1)
-    files = [str(file) for file in (output, suns, plot) if file is not None]
-    return facts | {"files": files}
+    mean = float(diffuse.where(data["lit_share"] > 0).mean())
+    return facts | {"mean_diffuse_horizontal_lx": round(mean, 1)}
 
 
 def place_facts(data: Any) -> dict[str, float]:

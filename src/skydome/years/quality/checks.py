@@ -6,6 +6,7 @@ flag | limit | source
 `unclosed` | global over its parts within 8 %, 15 % below 15 degrees of sun, above 50 W m-2 | BSRN
 `diffuse_above_global` | diffuse over global at most 1.05, 1.10 below 15 degrees of sun | BSRN
 `above_clear` | direct at most 5 % above the clear sky's with the cleanest air, Linke 2 | Ineichen and Perez 2002
+`above_bird` | direct at most 5 % above that of air without aerosol, 2 mm of water | Bird and Hulstrom 1981
 
 BSRN: Long and Dutton 2002, BSRN Global Network recommended QC tests, V2.0.
 """
@@ -18,7 +19,7 @@ import numpy as np
 from skydome.ground.directions import zenith_angle
 from skydome.ground.units import SOLAR_CONSTANT, deg
 from skydome.sun.track import SunTrack
-from skydome.years.quality.clear_sky import ClearSky, ineichen
+from skydome.years.quality.clear_sky import ClearSky, bird, ineichen
 from skydome.years.weather.sun_of_interval import LitSun, lit_sun
 from skydome.years.weather.weather import Weather
 
@@ -31,6 +32,7 @@ FLAGS = {
     "unclosed": "global irradiance is not diffuse plus direct (BSRN)",
     "diffuse_above_global": "diffuse irradiance above the global one (BSRN)",
     "above_clear": "direct irradiance above that of the cleanest air (Ineichen and Perez)",
+    "above_bird": "direct irradiance above that of air without aerosol (Bird and Hulstrom)",
     "stuck": "the same light for 4 hours or more while the sun is up",
 }
 """Name and meaning."""
@@ -39,6 +41,9 @@ AT_NIGHT, LEAST, STUCK = 5.0, 50.0, 4
 """W m-2 that count at night, W m-2 from which ratios are looked at, hours of one value."""
 
 LOW_SUN = 15 * deg
+DRIEST = 0.2
+"""Water of the driest air, cm."""
+
 CLEANEST, ABOVE = 2.0, 1.05
 """Linke's turbidity of the cleanest air, and how much more direct light is let pass."""
 
@@ -91,6 +96,10 @@ class Looked:
         """The clear sky of each interval for Linke's turbidity."""
         return ineichen(self.zenith, self.extraterrestrial, self.weather.place.altitude, linke)
 
+    def purest(self) -> ClearSky:
+        """The clear sky of each interval without aerosol and nearly without water."""
+        return bird(self.zenith, self.extraterrestrial, self.weather.place.altitude, aerosol=0.0, water=DRIEST)
+
 
 def flags_of(looked: Looked) -> dict[str, np.ndarray]:
     """Booleans (T,) for each of `FLAGS`; comparisons with what is missing are False.
@@ -100,7 +109,7 @@ def flags_of(looked: Looked) -> dict[str, np.ndarray]:
     >>> light = (np.array([1500.0, 0.0]), np.array([100.0, 90.0]), np.array([10.0, 10.0]))
     >>> found = flags_of(Looked.at(Weather(Place(45.0, 8.0), start, start + np.timedelta64(3600, "s"), *light)))
     >>> [name for name, marks in found.items() if marks.any()]
-    ['light_at_night', 'impossible', 'rare', 'above_clear']
+    ['light_at_night', 'impossible', 'rare', 'above_clear', 'above_bird']
     """
     weather, up, cosine = looked.weather, looked.up, looked.cosine
     direct, diffuse, whole, outside = (
@@ -123,6 +132,7 @@ def flags_of(looked: Looked) -> dict[str, np.ndarray]:
             "unclosed": up & (whole > LEAST) & (np.abs(ratio - 1) > np.where(low, 0.15, 0.08)),
             "diffuse_above_global": up & (whole > LEAST) & (diffuse / whole > np.where(low, 1.10, 1.05)),
             "above_clear": up & (direct > LEAST) & (direct > ABOVE * looked.clear().direct_normal),
+            "above_bird": up & (direct > LEAST) & (direct > ABOVE * looked.purest().direct_normal),
             "stuck": stuck(whole, up),
         }
 

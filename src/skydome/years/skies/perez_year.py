@@ -57,19 +57,8 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
     )
     clearness, brightness, zenith = sky.conditions()
     letters, bright, dark = guarded_letters(clearness, brightness, zenith, compat)
-    held = at_limits(sky, clearness, brightness)
-    status = status_of(
-        night=~up,
-        missing=up & weather.missing,
-        light_at_night=~up & (direct + diffuse > 0),
-        negative=weather.negative,
-        part_lit=up & (sun.lit < 1),
-        no_diffuse=up & ~weather.missing & (diffuse <= 0),
-        clamped=among(lit, held, weather.count),
-        bright_overcast=among(lit, bright, weather.count),
-        dark_sky=among(lit, dark, weather.count),
-        no_dew_point=np.isnan(weather.dew_point),
-    )
+    marks = Marks(lit, at_limits(sky, clearness, brightness), bright, dark)
+    status = flags_of(weather, up, sun.lit, marks)
     skies = PerezSkies(np.stack(letters), sky.formula_sun, sky.floor)
     beam, light = sky.direct_normal_illuminance, sky.diffuse_illuminance
     if weather.direct_illuminance is not None and weather.diffuse_illuminance is not None:
@@ -77,6 +66,32 @@ def perez_year(weather: Weather, compat: Compat = "paper", track: SunTrack | Non
     return PerezYear(
         lit, skies, light, sun.directions, sun.times, sun.lit, beam, clearness, brightness, status, compat
     )  # fmt: skip
+
+
+class Marks(NamedTuple):
+    """Which of the K lit intervals (indices `lit`) are held at a limit, bright overcast, dark."""
+
+    lit: np.ndarray
+    held: np.ndarray
+    bright: np.ndarray
+    dark: np.ndarray
+
+
+def flags_of(weather: Weather, up: np.ndarray, share: np.ndarray, marks: Marks) -> np.ndarray:
+    """The status of every interval, (T,)."""
+    direct, diffuse = weather.irradiances
+    return status_of(
+        night=~up,
+        missing=up & weather.missing,
+        light_at_night=~up & (direct + diffuse > 0),
+        negative=weather.negative,
+        part_lit=up & (share < 1),
+        no_diffuse=up & ~weather.missing & (diffuse <= 0),
+        clamped=among(marks.lit, marks.held, weather.count),
+        bright_overcast=among(marks.lit, marks.bright, weather.count),
+        dark_sky=among(marks.lit, marks.dark, weather.count),
+        no_dew_point=np.isnan(weather.dew_point),
+    )
 
 
 def at_limits(sky: PerezAllWeather, clearness: np.ndarray, brightness: np.ndarray) -> np.ndarray:

@@ -76,30 +76,13 @@ def year(
     """
     required("xarray", "year", "a year of skies")
     require_word(compat, COMPATS, "compat")
-    if isinstance(weather, Weather):
-        weather = weather if label is None else weather.labelled(label)
-        track = track or SunTrack.over(weather.start[0], weather.end[-1])
-        weather = weather if shift is None else aligned(weather, shift, track)
-    else:
-        weather = read(weather, calendar_year, label, place)
-        track = track or SunTrack.over(weather.start[0], weather.end[-1])
-        weather = aligned(weather, shift, track)
+    weather, track = under_its_sun(weather, calendar_year, track, label, shift, place)
     cut = patches_named(patches)
     each = 8 + 16 * (colour is not None) + 8 * (0 if wavelengths is None else np.size(wavelengths))
     require_memory(float(weather.count) * cut.count * each, f"a year of {weather.count} hours, {cut.count} patches")
     sky = perez_year(weather, "gendaylit" if compat == "gendaylit" else "paper", track)
     warn_of_wrong_place(weather, sky.share)
-    luminance = np.zeros((weather.count, cut.count), np.float32)
-    if compat == "gendaymtx":
-        luminance = gendaymtx_luminance(weather, cut)
-    elif smooth:
-        smooth_luminance(sky, cut, luminance)
-    else:
-        dome_means(sky.skies, sky.diffuse, cut, rows=sky.lit, out=luminance)
-    black = sky.lit[~luminance[sky.lit].any(axis=1) & (sky.diffuse > 0)]
-    luminance[black] = sky.diffuse[np.searchsorted(sky.lit, black), None] / np.pi
-    sky.status[black] |= flags.BITS["uniform"]
-    luminance[weather.missing] = np.nan
+    luminance = luminance_of(weather, sky, cut, compat, smooth)
     data = dataset(weather, sky, cut, luminance)
     data.attrs |= facts_of(weather, track)
     data.attrs |= {"compat": compat, "smooth": int(smooth), "model": "Perez all-weather 1993"}
@@ -114,6 +97,40 @@ def year(
     elif wavelengths is not None:
         raise ValueError('wavelengths need a colour, such as "preetham" or "hosek-wilkie"')
     return data
+
+
+def under_its_sun(
+    weather: "Weather | str | PathLike[str] | pd.DataFrame",
+    calendar_year: int | None,
+    track: SunTrack | None,
+    label: Label | None,
+    shift: "float | Literal['auto'] | None",
+    place: Place | None,
+) -> tuple[Weather, SunTrack]:
+    """The weather of a file or a DataFrame, or as given, moved as `shift` says, and the sun's track."""
+    if isinstance(weather, Weather):
+        weather = weather if label is None else weather.labelled(label)
+        track = track or SunTrack.over(weather.start[0], weather.end[-1])
+        return (weather if shift is None else aligned(weather, shift, track)), track
+    weather = read(weather, calendar_year, label, place)
+    track = track or SunTrack.over(weather.start[0], weather.end[-1])
+    return aligned(weather, shift, track), track
+
+
+def luminance_of(weather: Weather, sky: PerezYear, cut: Patches, compat: Compat, smooth: bool) -> np.ndarray:
+    """Luminance (T, N), cd m-2, float32, by the rules asked for; a black sky that sends light is uniform, and told."""
+    luminance = np.zeros((weather.count, cut.count), np.float32)
+    if compat == "gendaymtx":
+        luminance = gendaymtx_luminance(weather, cut)
+    elif smooth:
+        smooth_luminance(sky, cut, luminance)
+    else:
+        dome_means(sky.skies, sky.diffuse, cut, rows=sky.lit, out=luminance)
+    black = sky.lit[~luminance[sky.lit].any(axis=1) & (sky.diffuse > 0)]
+    luminance[black] = sky.diffuse[np.searchsorted(sky.lit, black), None] / np.pi
+    sky.status[black] |= flags.BITS["uniform"]
+    luminance[weather.missing] = np.nan
+    return luminance
 
 
 def read(
@@ -149,33 +166,12 @@ def dataset(weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarra
     """The Dataset of luminances with its coordinates, the sun, the illuminances and the flags."""
     import xarray
 
-    def at_lit(values: np.ndarray) -> np.ndarray:
-        every = np.zeros(weather.count)
-        every[sky.lit] = values
-        return np.where(weather.missing, np.nan, every)
-
-    direct, diffuse = (np.where(weather.missing, np.nan, value) for value in weather.irradiances)
     state = sky.status.copy()
     cut_off = (luminance[sky.lit] == 0).any(axis=1) & (sky.diffuse > 0)
     state[sky.lit[cut_off]] |= flags.BITS["cut_off"]
-    turn = azimuth(sky.suns) / deg
-    columns = {
-        "luminance": (luminance, "cd m-2", "mean luminance of the patch, without the sun's disc"),
-        "sun_azimuth": (turn, "degree", "azimuth of the sun, clockwise from north"),
-        "sun_elevation": (90 - zenith_angle(sky.suns) / deg, "degree", "true elevation of the sun"),
-        "sun_patch": (cut.index(sky.suns).astype(np.int32), "1", "patch in which the sun stands, -1 below the horizon"),
-        "lit_share": (sky.share, "1", "share of the interval in which the sun is up"),
-        "direct_normal_irradiance": (direct, "W m-2", "direct normal irradiance, given or found from light"),
-        "diffuse_horizontal_irradiance": (diffuse, "W m-2", "diffuse horizontal irradiance, given or found from light"),
-        "direct_normal_illuminance": (at_lit(sky.direct), "lx", "illuminance of the sun on a plane facing it"),
-        "diffuse_horizontal_illuminance": (at_lit(sky.diffuse), "lx", "diffuse horizontal illuminance"),
-        "clearness": (at_lit(sky.clearness), "1", "Perez's sky clearness"),
-        "brightness": (at_lit(sky.brightness), "1", "Perez's sky brightness"),
-    }
-    dims = {"luminance": ("time", "patch")}
     variables: dict[str, Any] = {
-        name: (dims.get(name, ("time",)), value, {"units": unit, "long_name": text})
-        for name, (value, unit, text) in columns.items()
+        name: (("time", "patch") if value.ndim == 2 else ("time",), value, {"units": unit, "long_name": text})
+        for name, (value, unit, text) in columns_of(weather, sky, cut, luminance).items()
     }
     variables["status"] = (("time",), state, flags.attributes())
     place = weather.place
@@ -189,6 +185,33 @@ def dataset(weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarra
         "frame": "azimuth clockwise from north; patches in Radiance's order without the ground",
     }
     return xarray.Dataset(variables, coordinates(weather, sky, cut), about)
+
+
+def columns_of(
+    weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarray
+) -> dict[str, tuple[np.ndarray, str, str]]:
+    """The Dataset's variables: values (T,) or (T, N), unit, and what they are."""
+
+    def at_lit(values: np.ndarray) -> np.ndarray:
+        every = np.zeros(weather.count)
+        every[sky.lit] = values
+        return np.where(weather.missing, np.nan, every)
+
+    direct, diffuse = (np.where(weather.missing, np.nan, value) for value in weather.irradiances)
+    turn = azimuth(sky.suns) / deg
+    return {
+        "luminance": (luminance, "cd m-2", "mean luminance of the patch, without the sun's disc"),
+        "sun_azimuth": (turn, "degree", "azimuth of the sun, clockwise from north"),
+        "sun_elevation": (90 - zenith_angle(sky.suns) / deg, "degree", "true elevation of the sun"),
+        "sun_patch": (cut.index(sky.suns).astype(np.int32), "1", "patch in which the sun stands, -1 below the horizon"),
+        "lit_share": (sky.share, "1", "share of the interval in which the sun is up"),
+        "direct_normal_irradiance": (direct, "W m-2", "direct normal irradiance, given or found from light"),
+        "diffuse_horizontal_irradiance": (diffuse, "W m-2", "diffuse horizontal irradiance, given or found from light"),
+        "direct_normal_illuminance": (at_lit(sky.direct), "lx", "illuminance of the sun on a plane facing it"),
+        "diffuse_horizontal_illuminance": (at_lit(sky.diffuse), "lx", "diffuse horizontal illuminance"),
+        "clearness": (at_lit(sky.clearness), "1", "Perez's sky clearness"),
+        "brightness": (at_lit(sky.brightness), "1", "Perez's sky brightness"),
+    }
 
 
 def coordinates(weather: Weather, sky: PerezYear, cut: Patches) -> dict[str, Any]:

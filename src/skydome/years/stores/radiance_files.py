@@ -125,22 +125,31 @@ skybright = if(Dz, if(light, light, 0), 0);
 
 def scene_text(sky: PerezAllWeather, formula: str, reflectance: float) -> str:
     """The sources of the scene."""
-    x, y, z = (float(value) for value in np.asarray(sky.sun))
+    z = float(np.asarray(sky.sun)[2])
     sun = float(sky.direct_normal_illuminance) / RADIANCE_EFFICACY
     below = reflectance / np.pi * (float(sky.diffuse_illuminance) / RADIANCE_EFFICACY + sun * max(z, 0.0))
-    disc = f"{sun / SUN_SIZE:.6e}"
-    shining = f"""void light solar
+    shining = sun_text(sky, sun) if sun > 0 and z > 0 else ""
+    sources = SKY_SOURCE.format(formula=formula) + GROUND_SOURCE.format(light=below)
+    return f"# Perez all-weather sky\n{shining}\n{sources}"
+
+
+def sun_text(sky: PerezAllWeather, light: float) -> str:
+    """The sun as a source, of a direct normal irradiance in Radiance's unit."""
+    x, y, z = (float(value) for value in np.asarray(sky.sun))
+    disc = f"{light / SUN_SIZE:.6e}"
+    size = f"{SUN_DIAMETER / deg:.4f}"
+    return f"""void light solar
 0
 0
 3 {disc} {disc} {disc}
 solar source sun
 0
 0
-4 {x:.7f} {y:.7f} {z:.7f} {SUN_DIAMETER / deg:.4f}
+4 {x:.7f} {y:.7f} {z:.7f} {size}
 """
-    return f"""# Perez all-weather sky
-{shining if sun > 0 and z > 0 else ""}
-void brightfunc skyfunc
+
+
+SKY_SOURCE = """void brightfunc skyfunc
 2 skybright {formula}
 0
 0
@@ -153,10 +162,12 @@ sky_glow source sky
 0
 4 0 0 1 180
 
-void glow ground_glow
+"""
+
+GROUND_SOURCE = """void glow ground_glow
 0
 0
-4 {below:.6e} {below:.6e} {below:.6e} 0
+4 {light:.6e} {light:.6e} {light:.6e} 0
 ground_glow source ground
 0
 0
