@@ -67,6 +67,8 @@ HOME = {
     "skies.path_tracing.sky": "PathTraced",
     "skies.physical.precomputed.tables": "ScatteringTables",
     "skies.physical.precomputed.sky": "PrecomputedScattering",
+    "skies.physical.precomputed.textures": "ScatteringTextures",
+    "skies.physical.precomputed.hillaire": "Hillaire MultipleScatteringTable",
     "skies.physical.prague.sky": "Prague",
     "skies.night.moonlight": "Moonlight",
     "skies.night.moon_disc": "MoonDisc",

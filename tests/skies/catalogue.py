@@ -122,6 +122,7 @@ def scan_of(sky, time=0.0):
     return Scan(views, np.broadcast_to(sd.SOUTH, views.shape), np.asarray(sky.rgb(views)), time)
 
 
+PSI = sd.MultipleScatteringTable.of(AIR, NODES)
 TABLES = sd.ScatteringTables.of(AIR, NODES, 2, SMALL)
 PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 
@@ -137,6 +138,7 @@ PHYSICAL = {
     "path-traced": lambda sun: sd.PathTraced(sun, AIR, relative_error=0.5),
     "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
     "precomputed": lambda sun: sd.PrecomputedScattering.by(TABLES, sun),
+    "hillaire": lambda sun: sd.Hillaire.by(PSI, sun),
     "physical-sky": lambda sun: sd.PhysicalSky(sun, sd.clear_air(0.15)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
     "atmosphere-sun": lambda sun: sd.AtmosphereSun(sun, AIR),
@@ -154,6 +156,7 @@ TWILIGHT = (
     "path-traced",
     "held",
     "precomputed",
+    "hillaire",
     "physical-sky",
     "physical",
     "prague",

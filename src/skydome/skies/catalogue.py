@@ -22,7 +22,6 @@ from skydome.skies.model import (
     NeuralModel,
     PhysicalModel,
     PreethamModel,
-    ScatteringModel,
     TracedModel,
 )
 from skydome.skies.neural.files import load_network
@@ -35,6 +34,8 @@ from skydome.skies.physical.klassen import Klassen87
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 from skydome.skies.physical.prague.file import read_prague
 from skydome.skies.physical.prague.sky import Prague
+from skydome.skies.physical.precomputed.hillaire import Hillaire
+from skydome.skies.physical.precomputed.models import ScatteringModel
 from skydome.skies.physical.precomputed.sky import PrecomputedScattering
 from skydome.skies.preetham import Preetham
 from skydome.skies.sky import Sky
@@ -128,6 +129,7 @@ CATALOGUE: tuple[Model, ...] = (
         "nishita-1996", Nishita96, failures="two scatterings only: a few percent (red) to a fifth (blue) too dark"
     ),
     ScatteringModel("precomputed", PrecomputedScattering),
+    AirModel("hillaire", Hillaire),
     TracedModel(
         "path-traced",
         PathTraced,

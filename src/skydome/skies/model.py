@@ -11,7 +11,6 @@ from skydome.air.named_airs import depth_of_turbidity
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
-from skydome.skies.all_air.spectral_nodes import NODES
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import UsualLevel
@@ -19,9 +18,6 @@ from skydome.skies.neural.sky import NeuralForm, read_network
 from skydome.skies.path_tracing.sky import PathTraced
 from skydome.skies.physical.held import held
 from skydome.skies.physical.held_tracing import Report, held_tracing
-from skydome.skies.physical.precomputed.grid import MIDDLE
-from skydome.skies.physical.precomputed.sky import PrecomputedScattering
-from skydome.skies.physical.precomputed.tables import ScatteringTables
 from skydome.skies.preetham import PreethamNumbers
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import Check
@@ -237,14 +233,3 @@ class TracedModel(AirModel):
         """The held tracing."""
         asked = given or {}
         return held_tracing(PathTraced(sun, self.air(asked)), asked.get("until"), asked.get("paths"), report)
-
-
-@dataclass(frozen=True)
-class ScatteringModel(AirModel):
-    """The sky by tables of scattered light, fine enough for a picture."""
-
-    def make(
-        self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None
-    ) -> Sky:
-        """The held sky."""
-        return held(PrecomputedScattering.by(ScatteringTables.of(self.air(given or {}), NODES, sizes=MIDDLE), sun))

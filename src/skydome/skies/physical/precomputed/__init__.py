@@ -9,5 +9,9 @@
 - tables         The tables, shared by all skies of an atmosphere
 - observer       Where an observer's views go through the air: from the ground, from within it, or from space
 - along          Light along those views: scattered once, and thrown back by the ground
+- tabled_sky     What skies by such tables share: views from any height, spectra and colours
 - sky            The sky by the tables
+- hillaire       Hillaire's sky, a small table for all that is scattered more than once
+- textures       The tables as textures that other programs read, and files of them
+- models         Rows of the catalogue for them
 """

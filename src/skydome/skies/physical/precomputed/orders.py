@@ -58,11 +58,11 @@ class Orders:
         before: Array | None = None
         for order in range(1, count):
             source = self.give_off(order, once, light, falling)
-            falling = self.fall(order, once, light, falling)
+            falling = self.fall(order, once, light)
             light = self.again(source)
             multiple += light * (series(light, before) if order == count - 1 else 1.0)
             before = light
-        sky = self.fall(1, once, light, falling) + self.fall(2, once, multiple, falling)
+        sky = self.fall(1, once, light) + self.fall(2, once, multiple)
         return once, multiple, direct + sky
 
     def direct(self) -> Array:
@@ -105,15 +105,21 @@ class Orders:
         self.by_heights(scatter_again, *self.nodes, *self.samples, source, self.air, out)
         return out
 
-    def fall(self, order: int, once: Array, light: Array, falling: Array, radii: Array | None = None) -> Array:
-        """Irradiance of the sky's light of an order on the ground, (S, W); on the horizontal at radii, (R, S, W)."""
+    def fall(self, order: int, once: Array, light: Array) -> Array:
+        """Irradiance of the ground by the sky's light of an order, (S, W)."""
+        return self.fall_on(np.array([self.shell.bottom]), self.nodes[2], order, once, light)[0]
+
+    def fall_on(self, radii: np.ndarray, suns: np.ndarray, order: int, once: Array, light: Array) -> Array:
+        """Irradiance of the horizontal at radii (N,) under suns (M,) by the sky's light of an order, (N, M, W).
+
+        Order 1 is the table `once`, any other the table `light`.
+        """
         from skydome.skies.physical.precomputed.orders_kernel import fall_on_level
 
-        heights = np.array([self.shell.bottom]) if radii is None else radii
-        out = np.empty((heights.size, *falling.shape))
-        given = heights, self.nodes[2], *self.sphere, order, once, light, falling, self.air, out
-        fall_on_level(0, heights.size, *given)
-        return out[0] if radii is None else out
+        out = np.empty((radii.size, suns.size, self.air.albedo.size))
+        nothing = np.zeros((2, self.air.albedo.size))
+        fall_on_level(0, radii.size, radii, suns, *self.sphere, order, once, light, nothing, self.air, out)
+        return out
 
     def by_heights(self, kernel: Any, *given: Any) -> None:
         """A job over the heights, shared among threads."""

@@ -32,6 +32,8 @@ from skydome.skies.physical.precomputed.orders import Orders
 ORDERS = Range(1, 100)
 FEWEST = 8
 """Wavelengths from which a spectrum follows."""
+BELOW, BEYOND = 20.0, 80.0
+"""How far from their ends it does, nm."""
 LOWEST_SUN = float(np.cos(np.radians(106.0)))
 """Of the tables, the cosine of its zenith angle: lower suns are taken for it."""
 
@@ -112,13 +114,17 @@ class ScatteringTables:
         return np.stack([np.interp(cos_sun, suns, column) for column in self.ground.T], axis=-1)
 
     def spectrum(self, wavelengths: np.ndarray) -> Array:
-        """How light at wavelengths (W,) follows from that at the tables' own, (nodes, W).
+        """How light at wavelengths (W,) follows from that at the tables' own, (nodes, W); see `spectrum_of_tables`."""
+        return spectrum_of_tables(self.wavelengths, wavelengths)
 
-        ValueError for others than the tables' own where those are fewer than eight, or beyond them.
-        """
-        own = self.wavelengths
-        there = bool(np.isin(wavelengths, own).all())
-        if not there and (own.size < FEWEST or wavelengths[0] < own[0] - 20.5 or wavelengths[-1] > own[-1] + 80.5):
-            told = f"{own.size} at {own[0]:g}-{own[-1]:g} nm"
-            raise ValueError(f"wavelengths must be among the tables' own, or near {FEWEST} or more of them, got {told}")
-        return spectrum_from_nodes(own, wavelengths)
+
+def spectrum_of_tables(own: np.ndarray, wavelengths: np.ndarray) -> Array:
+    """How light at wavelengths (W,) follows from that of tables at their own (N,), (N, W).
+
+    ValueError for others than the tables' own where those are fewer than eight, or beyond them.
+    """
+    there = bool(np.isin(wavelengths, own).all())
+    if not there and (own.size < FEWEST or wavelengths[0] < own[0] - BELOW or wavelengths[-1] > own[-1] + BEYOND):
+        told = f"{own.size} at {own[0]:g}-{own[-1]:g} nm"
+        raise ValueError(f"wavelengths must be among the tables' own, or near {FEWEST} or more of them, got {told}")
+    return spectrum_from_nodes(own, wavelengths)
