@@ -150,8 +150,11 @@ from skydome.skies.physical.klassen import Klassen87 as Klassen87
 from skydome.skies.physical.nishita import Nishita93 as Nishita93
 from skydome.skies.physical.nishita import Nishita96 as Nishita96
 from skydome.skies.physical.prague.sky import Prague as Prague
+from skydome.skies.physical.precomputed.hillaire import Hillaire as Hillaire
+from skydome.skies.physical.precomputed.hillaire import MultipleScatteringTable as MultipleScatteringTable
 from skydome.skies.physical.precomputed.sky import PrecomputedScattering as PrecomputedScattering
 from skydome.skies.physical.precomputed.tables import ScatteringTables as ScatteringTables
+from skydome.skies.physical.precomputed.textures import ScatteringTextures as ScatteringTextures
 from skydome.skies.preetham import Preetham as Preetham
 from skydome.skies.series import luminance_series as luminance_series
 from skydome.skies.sky import Sky as Sky
