@@ -36,6 +36,10 @@ class MultipleScatteringTable:
 
     `psi` (heights, suns, W), for a sun of irradiance 1, sr-1: even in height and in the cosine of the sun's zenith
     angle (Hillaire 2020, section 5.5).
+
+    >>> import skydome as sd
+    >>> MultipleScatteringTable.of(sd.Atmosphere.standard(), [550.0]).psi.shape
+    (32, 32, 1)
     """
 
     atmosphere: Atmosphere
