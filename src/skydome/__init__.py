@@ -110,6 +110,7 @@ HOME = {
     "haze.layered_fog": "LayeredFog",
     "haze.ward_larson": "WardLarson WardLarsonMeanSky",
     "eye.eye": "Eye",
+    "eye.night_vision": "night_vision",
     "eye.view": "Camera HalfSphere",
     "eye.glare": "glare",
     "eye.point_spread": "StilesHolladay CIETotal Spencer PHOTOPIC MESOPIC SCOTOPIC",

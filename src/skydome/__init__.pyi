@@ -38,6 +38,7 @@ from skydome.export.spectral_pictures import save_spectra as save_spectra
 from skydome.eye.eye import Eye as Eye
 from skydome.eye.glare import glare as glare
 from skydome.eye.lens_flare import LensFlare as LensFlare
+from skydome.eye.night_vision import night_vision as night_vision
 from skydome.eye.point_spread import MESOPIC as MESOPIC
 from skydome.eye.point_spread import PHOTOPIC as PHOTOPIC
 from skydome.eye.point_spread import SCOTOPIC as SCOTOPIC

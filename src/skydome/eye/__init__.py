@@ -9,6 +9,7 @@
 - sphere_blur    Scattering in the eye over the whole sphere: a product of zonal spherical harmonics
 - bright_source  Suns and lamps in a map, found, taken out of the texels, and known by direction
 - linked_groups  Directions in groups: two belong together where small steps lead from one to the other
+- night_vision   The eye at night: rods see no colour, are quick for blue, and what they see looks bluish
 - glare          How much a sky glares: daylight glare probability, veiling luminance and illuminance at the eye
 - lens_flare     Ghosts of a camera's lens, reflections between its surfaces
 """
