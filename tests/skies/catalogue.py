@@ -5,6 +5,7 @@
 """
 
 import tempfile
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -122,8 +123,18 @@ def scan_of(sky, time=0.0):
     return Scan(views, np.broadcast_to(sd.SOUTH, views.shape), np.asarray(sky.rgb(views)), time)
 
 
-PSI = sd.MultipleScatteringTable.of(AIR, NODES)
-TABLES = sd.ScatteringTables.of(AIR, NODES, 2, SMALL)
+@cache
+def tables():
+    """Tables of scattered light that all suns share."""
+    return sd.ScatteringTables.of(AIR, NODES, 2, SMALL)
+
+
+@cache
+def psi():
+    """Hillaire's table."""
+    return sd.MultipleScatteringTable.of(AIR, NODES)
+
+
 PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 
 PHYSICAL = {
@@ -137,8 +148,8 @@ PHYSICAL = {
     "refitted": lambda sun: Refitted(sun, numbers()),
     "path-traced": lambda sun: sd.PathTraced(sun, AIR, relative_error=0.5),
     "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
-    "precomputed": lambda sun: sd.PrecomputedScattering.by(TABLES, sun),
-    "hillaire": lambda sun: sd.Hillaire.by(PSI, sun),
+    "precomputed": lambda sun: sd.PrecomputedScattering.by(tables(), sun),
+    "hillaire": lambda sun: sd.Hillaire.by(psi(), sun),
     "physical-sky": lambda sun: sd.PhysicalSky(sun, sd.clear_air(0.15)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
     "atmosphere-sun": lambda sun: sd.AtmosphereSun(sun, AIR),
