@@ -265,8 +265,10 @@ if __name__ == "__main__":
     import sys
     import tempfile
 
+    count, seed = int(sys.argv[1]), int(sys.argv[2])
     with tempfile.TemporaryDirectory() as here:
         os.chdir(here)
-        faults = run(int(sys.argv[1]), int(sys.argv[2]), lambda done: done % 100 or print(done, flush=True))
+        for k in range(0, count, 50):  # told as they come: a long run may be ended
+            faults = run(50, f"{seed} {k}")
+            print(k + 50, "lines", len(faults), "faults", *faults, sep="\n", flush=True)
         os.chdir("/")
-    print(len(faults), "faults", *faults, sep="\n")
