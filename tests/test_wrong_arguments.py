@@ -149,6 +149,11 @@ CALLS = {
     "FlatSpectrum": {"sky": sd.Uniform(1.0)},
     "gensky_sun": {"sun": SUN},
     "PrecomputedScattering": {"sun": SUN, "atmosphere": AIR},
+    "Hillaire": {"sun": SUN, "atmosphere": AIR},
+    "Klassen87": {"sun": SUN},
+    "LayeredFog": {"tops": (100.0, 300.0), "extinctions": (1e-2, 1e-3), "ambient": (5000.0, 5200.0, 5600.0)},
+    "night_vision": {"picture": MAP},
+    "save_spectra": {"sky": HW, "path": "no/such/folder.exr", "wavelengths": [450.0, 550.0]},
     "Moonlight": {"sun": SUN}, "MoonDisc": {"sun": SUN},
     "Airglow": {}, "SkyGlow": {}, "Starlight": {}, "ZodiacalLight": {},
     "surface_magnitude": {"luminance": 1e-3},
@@ -161,7 +166,7 @@ CALLS = {
 ANSWERS = {
     "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
     "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
-    "Eclipse", "WholeSky", "Broadband",
+    "Eclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures",
 }  # fmt: skip
 """What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""
 

@@ -5,7 +5,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-import kills
+from tests.fuzz import kills
 
 AT_ONCE = 20
 

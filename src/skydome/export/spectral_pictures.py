@@ -43,6 +43,8 @@ def save_spectra(
     'sky.hsr'
     """
     require_kind(sky, SpectralSky, "sky", "HosekWilkie(sun, turbidity=3.0)")
+    require_kind(path, str | PathLike, "path", "'sky.hsr'")
+    require_kind(projection, Projection | None, "projection", "Equirectangular()")
     final, bands = Path(path), np.atleast_1d(numbers(wavelengths, "wavelengths"))
     if final.suffix not in WRITERS:
         raise ValueError(f"spectra go into .hsr or .exr, got {final.name!r}")

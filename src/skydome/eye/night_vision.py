@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.light.colour import rgb_from_xyz
 from skydome.maps.environment_map import EnvironmentMap
 
@@ -33,6 +34,7 @@ def night_vision(picture: EnvironmentMap) -> EnvironmentMap:
     >>> bool(seen[2] > seen[0])
     True
     """
+    require_kind(picture, EnvironmentMap, "picture", "render(sky)")
     xyz = picture.pixels @ picture.space.to_xyz.T * picture.white_luminance
     luminance = np.maximum(xyz[..., 1], 1e-12)
     low, high = np.log10(RODS_ALONE), np.log10(CONES_ALONE)

@@ -12,7 +12,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import as_numpy
+from skydome.ground.arguments import numbers
+from skydome.ground.arrays import as_numpy, brief
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import LIGHT, NOT_NEGATIVE, Bounded, Range
 from skydome.haze.aerial_perspective import AerialPerspective
@@ -51,8 +52,10 @@ class LayeredFog(Bounded):
     def __post_init__(self) -> None:
         """Validate only."""
         self.require_bounds()
-        if len(self.tops) != len(self.extinctions) or not (np.diff([0.0, *self.tops]) > 0).all():
-            raise ValueError(f"tops must increase from above 0, one for each extinction, got {self.tops}")
+        edges, extinctions = numbers(self.tops, "tops"), numbers(self.extinctions, "extinctions")
+        if edges.ndim != 1 or edges.shape != extinctions.shape or not (np.diff(edges, prepend=0.0) > 0).all():
+            raise ValueError(f"tops must increase from above 0, one for each extinction, got {brief(self.tops)}")
+        numbers(self.ambient, "ambient")
         if (self.sun is None) != (self.sunlight is None):
             raise ValueError("fog lit by the sun needs sun and sunlight: give both")
 

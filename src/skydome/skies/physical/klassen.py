@@ -11,7 +11,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.ground.arrays import Array
+from skydome.ground.arguments import numbers
+from skydome.ground.arrays import Array, brief
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
@@ -41,11 +42,10 @@ class Klassen87(AtmosphereSky):
     def __post_init__(self) -> None:
         """Validate only."""
         super().__post_init__()
-        edges = np.asarray(self.tops, dtype=np.float64)
+        edges = numbers(self.tops, "tops")
         if edges.ndim != 1 or not (np.diff([0.0, *edges, self.atmosphere.height]) > 0).all():
-            raise ValueError(
-                f"tops must increase between 0 and the air's height, {self.atmosphere.height:g} m, got {self.tops}"
-            )
+            top = f"{self.atmosphere.height:g} m"
+            raise ValueError(f"tops must increase between 0 and the air's height, {top}, got {brief(self.tops)}")
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
