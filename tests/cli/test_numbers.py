@@ -97,7 +97,7 @@ NAMES = [
     *(f"cie-{kind}" for kind in range(1, 16)),
     "cie-clear", "cie-intermediate", "matsuura-iwata", "brunger-hooper", "harrison-coombes", "pokrowski",
     "moon-spencer", "uniform",
-    "discrete-ordinates", "klassen-1987", "nishita-1993", "nishita-1996", "precomputed",
+    "discrete-ordinates", "klassen-1987", "nishita-1993", "nishita-1996", "precomputed", "hillaire",
     "path-traced",
 ]  # fmt: skip
 
@@ -112,7 +112,7 @@ def test_every_model_gives_the_light_of_a_day(facts, when, name):
     overcast = name in ("moon-spencer", "uniform", *(f"cie-{kind}" for kind in range(1, 6)))
     assert (light["direct"] == 0) == (overcast or name == "perez")
     coloured = name.startswith(
-        ("physical", "discrete", "klassen", "nishita", "precomputed", "path", "hosek", "preetham", "neural")
+        ("physical", "discrete", "klassen", "nishita", "precomputed", "hillaire", "path", "hosek", "preetham", "neural")
     )
     assert any("D65" in note for note in told["notes"]) != coloured
 
