@@ -48,11 +48,13 @@ def one_line(value: object) -> str:
 
 
 def folded(name: str, text: str) -> list[str]:
-    """A value as lines `name=...`, `name+=...`, none above `LONGEST_LINE` bytes.
+    """A value as lines `name=...`, `name+=...`, none above `LONGEST_LINE` bytes; Radiance's own, VIEW, stay in one.
 
     >>> folded("note", 150 * "x")[1]
     'note+=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx'
     """
+    if name.isupper():
+        return [f"{name}={text}"]
     step = (LONGEST_LINE - len(name) - 1) // (1 if text.isascii() else 4) or 1
     pieces = [text[start : start + step] for start in range(0, len(text), step)] or [""]
     return [f"{name}{GOES_ON if k else ''}={piece}" for k, piece in enumerate(pieces)]

@@ -1,5 +1,7 @@
 """The physical sky's teacher: closed forms, energy, discrete ordinates; lessons that go on; training that learns."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -106,7 +108,7 @@ def test_energy_over_white_ground(solver):
 def test_by_day_it_is_the_sky_of_discrete_ordinates(solver):
     pytest.importorskip("nanodisort")
     air, sun = sd.clear_air(aerosol_depth=0.15, albedo=0.2), sd.direction(azimuth=0.0, elevation=40 * sd.deg)
-    w = np.linspace(400.0, 700.0, AIRS)
+    air, w = replace(air, gases=None), np.linspace(400.0, 680.0, AIRS)  # the teacher has none
     cosines, azimuths = np.sin(np.radians([8.0, 20.0, 45.0, 80.0])), np.radians([20.0, 90.0, 180.0])
     rest, once = solver.at_ground(solver.solve(optics(air, w, w)), sun[2:], cosines, azimuths)
     views = sd.direction(*np.meshgrid(azimuths, np.arcsin(cosines)))
