@@ -4,6 +4,7 @@ import inspect
 import linecache
 import traceback
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ SUN, VIEWS = sd.direction(2.0, 0.7), sd.direction([0.0, 1.0], 0.5)
 AROUND = sd.direction(np.linspace(0, 6, 20), np.linspace(0.1, 1.2, 20))
 TURIN, NOON = sd.Place(45.07, 7.69), "2026-06-21T12:00+02:00"
 AIR = sd.Atmosphere.from_turbidity(3.0)
+MOONLIT = replace(sd.clear_air(), sunlight=sd.Spectrum([300.0, 2500.0], [1e-6, 1e-6]))
 SKY, HW, DISC = sd.Preetham(SUN, 3.0), sd.HosekWilkie(SUN, 3.0), sd.SunDisc(SUN, 3.0)
 WHOLE, MAP, VIEW = HW + DISC, sd.render(HW, 16), sd.Camera(width=32, height=32)
 WEATHER = sd.Weather(
@@ -154,8 +156,9 @@ CALLS = {
     "LayeredFog": {"tops": (100.0, 300.0), "extinctions": (1e-2, 1e-3), "ambient": (5000.0, 5200.0, 5600.0)},
     "night_vision": {"picture": MAP},
     "save_spectra": {"sky": HW, "path": "no/such/folder.exr", "wavelengths": [450.0, 550.0]},
-    "Moonlight": {"sun": SUN}, "MoonDisc": {"sun": SUN},
-    "Airglow": {}, "SkyGlow": {}, "Starlight": {}, "ZodiacalLight": {},
+    "Moonlight": {"sun": SUN, "atmosphere": MOONLIT},
+    "MoonDisc": {"sun": SUN, "atmosphere": MOONLIT, "toward_sun": sd.EAST, "north": sd.NORTH},
+    "Airglow": {}, "SkyGlow": {}, "Starlight": {"turn": np.eye(3)}, "ZodiacalLight": {"turn": np.eye(3)},
     "surface_magnitude": {"luminance": 1e-3},
     "sky_at": {"place": TURIN, "time": NOON},
     "light_at": {"place": TURIN, "times": [NOON]},

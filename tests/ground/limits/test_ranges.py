@@ -13,7 +13,7 @@ import skydome as sd
 from skydome.ground.limits.ranges import SHARE, Bounded, Range, inside, require
 
 SUN = np.array([0.0, 0.6, 0.8])
-NOT_NUMBERS = {"sun", "standing"}
+NOT_NUMBERS = {"sun", "standing", "directions"}
 """Directions, which are looked at as such."""
 
 BEYOND = [float("nan"), float("inf"), -float("inf"), 1e300, -1e300]

@@ -8,8 +8,9 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, brief
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import Range
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.all_air.taught_air import clear_air
@@ -78,6 +79,13 @@ class Celestial(NightGlow):
     """Light from beyond the air, of a `turn` from the place's axes to those that it is known in, (3, 3)."""
 
     turn: Any = field(default=None, kw_only=True)
+    bounds: ClassVar = {"turn": Range(-1.0, 1.0)}
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if np.shape(self.turn) != (3, 3):
+            own = type(self).__name__
+            raise ValueError(f"turn must be a rotation (3, 3): use {own}.over(place, time); got {brief(self.turn)}")
 
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None) -> Self:

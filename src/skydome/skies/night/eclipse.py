@@ -9,6 +9,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.cross_sections import solar_irradiance
 from skydome.ground.arrays import Array
 from skydome.ground.directions import angle_between, tangent_frame
+from skydome.ground.limits.ranges import FINITE, Range
 from skydome.light.spectrum import Spectrum
 from skydome.moon.position import lunar_radius, moon_direction
 from skydome.skies.all_air.bent_sun import BentSun
@@ -107,7 +108,13 @@ class EclipsedSun(BentSun):
 
     moon: Any = field(default=None, kw_only=True)
     moon_radius: Any = field(default=None, kw_only=True)
+    bounds: ClassVar = {"moon": FINITE, "moon_radius": Range(0.0, 0.1, "radians")}
     source: ClassVar[str] = "the sun of the physical sky, less what the moon covers"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.moon is None or self.moon_radius is None:
+            raise ValueError("moon and moon_radius must be given, as EclipsedSun.behind(eclipse, air) does")
 
     @classmethod
     def behind(cls, eclipse: Eclipse, air: Atmosphere) -> Self:

@@ -9,6 +9,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array, safe_divide
 from skydome.ground.directions import checked_directions, tangent_frame
+from skydome.ground.limits.ranges import FINITE
 from skydome.ground.units import deg
 from skydome.light.spectrum import Spectrum
 from skydome.moon.phase import MoonPhase, moon_phase
@@ -53,8 +54,14 @@ class MoonDisc(BentSun):
     north: Any = field(default=None, kw_only=True)
     longitude: Any = field(default=0.0, kw_only=True)
     earthshine: Spectrum | None = field(default=None, kw_only=True)
+    bounds: ClassVar = dict.fromkeys(("toward_sun", "north", "longitude"), FINITE)
     shines_at_night: ClassVar[bool] = True
     source: ClassVar[str] = "Kieffer and Stone 2005 (ROLO) along bent rays; McEwen 1991"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.toward_sun is None or self.north is None:
+            raise ValueError("toward_sun and north must be directions (3,): use MoonDisc.over(place, time)")
 
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None) -> Self:

@@ -30,6 +30,11 @@ class Moonlight(PhysicalSky):
     shines_at_night: ClassVar[bool] = True
     source: ClassVar[str] = "the physical sky; moonlight by Kieffer and Stone 2005 (ROLO)"
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.atmosphere.sunlight is None:
+            raise ValueError("atmosphere must have the moon's light as its sunlight: use Moonlight.over(place, time)")
+
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None, **others: Any) -> Self:
         """The moonlit sky of one time at a place."""

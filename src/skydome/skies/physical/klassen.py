@@ -14,6 +14,7 @@ import numpy as np
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, brief
 from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.layers import escaping, inward, layer_depths
@@ -36,6 +37,7 @@ class Klassen87(AtmosphereSky):
     """
 
     tops: tuple[float, ...] = (2000.0,)
+    bounds: ClassVar = {"tops": Range(0.0, 1e6, "m")}
     source: ClassVar[str] = "Klassen 1987, Modeling the effect of the atmosphere on light"
     quick_to_see: ClassVar[bool] = False
 
