@@ -52,6 +52,8 @@ SKIES = {
     "hosek-wilkie-rgb": lambda sun, one: sd.HosekWilkieRGB(sun, one * 3.2, one * 0.3),
     "daylight": lambda sun, one: sd.Daylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
     "colour-by-luminance": lambda sun, one: sd.ColourByLuminance(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
+    "takagi": lambda sun, one: sd.TakagiDaylight(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
+    "flat-spectrum": lambda sun, one: sd.FlatSpectrum(sd.CIE(sun, 12, illuminance=one * 12_000.0)),
     "colour-of": lambda sun, one: sd.ColourOf(
         sd.CIE(sun, 12, illuminance=one * 12_000.0), like=sd.Preetham(sun, one * 3.2)
     ),

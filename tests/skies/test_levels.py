@@ -142,6 +142,7 @@ def test_the_command_and_the_library_give_one_number(model):
     turin, time = sd.Place(45.07, 7.69, 240), "2026-06-21T15:00+02:00"
     sun = sd.sun_direction(turin, time)
     air = sd.Atmosphere.from_turbidity(3.0, albedo=0.2, sun_scale=float(sd.earth_sun_distance(time)) ** -2)
+    air = air.at_altitude(240.0)
     sky = sd.PhysicalSky(sun, air) if model == "physical" else sd.HosekWilkie(sun, turbidity=3.0, albedo=0.2)
     ours = float(sd.illuminance(sky + sd.SunDisc.of(sky, time=time)))
     command = [sys.executable, "-m", "skydome", "light", "--place", "45.07,7.69,240", "--time", time, "--model", model]

@@ -53,6 +53,7 @@ def shader(
     True
     """
     require_kind(uniforms, bool, "uniforms", "True")
+    require_kind(free_sun, bool, "free_sun", "True")
     spelling = language(lang).under_any_sun() if free_sun else language(lang)
     spelling = spelling.reading() if uniforms else spelling
     numbers = Uniforms(spelling) if uniforms else CONSTANTS

@@ -1,5 +1,6 @@
 """Nishita's skies: against slow plain quadrature, against discrete ordinates, in twilight."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +13,7 @@ from skydome.air.rays import ColumnTable, columns_out, horizon, running_integral
 from skydome.ground.quadrature import gauss_legendre, hemisphere
 from skydome.skies.physical.nishita import Nishita93, Nishita96
 
-AIR = Atmosphere.standard(aerosol_depth=0.06, albedo=0.1)
+AIR = replace(Atmosphere.standard(aerosol_depth=0.06, albedo=0.1), gases=None)
 W = np.array([400.0, 550.0, 700.0])
 
 
