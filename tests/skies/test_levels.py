@@ -7,6 +7,7 @@ import pytest
 
 import skydome as sd
 from skydome import deg
+from skydome.dome.bases.lobe_bases import spread_over_hemisphere
 from skydome.skies.formula.perez_table import clearness_bin
 
 SUN = sd.direction(azimuth=180 * deg, elevation=45 * deg)
@@ -96,6 +97,38 @@ def test_smooth_is_the_year_s():
         letters = np.stack(guarded_letters(centre, delta, zenith).letters)
         means = means + dome_means(PerezSkies(letters, SUN[None], sky.floor), sky.diffuse_illuminance * share, cut)
     np.testing.assert_allclose(sky.luminance(cut.directions), means[0], rtol=0.03)
+
+
+@pytest.mark.parametrize("smooth", [False, True])
+@pytest.mark.parametrize("case", [(15.0, 5.0, 5.0), (60.0, 20.0, 6.0), (59.6456, 11.112, 4.398), (10.0, 1.0, 2.0)])
+def test_dim_perez_skies_are_not_black(case, smooth):
+    """By the letters of the table all their light stood in a line at the horizon, 2e7 cd m-2, or was not there."""
+    elevation, direct, diffuse = case
+    sky = sd.PerezAllWeather(sd.direction(2.0, elevation * deg), direct, diffuse, smooth=smooth)
+    assert bool(sky.valid)
+    light = sky.luminance(spread_over_hemisphere(2000))
+    assert (light > 0).mean() > 0.7
+    assert light.max() < 60 * light.mean()
+    assert float(sd.illuminance(sky)) == pytest.approx(float(sky.diffuse_illuminance), rel=1e-4)
+
+
+def test_the_table_s_letters_hold_where_they_leave_light():
+    from skydome.skies.formula.perez_table import distribution_letters, guarded_letters, is_dark
+
+    elevation, direct, diffuse = (
+        np.ravel(part)
+        for part in np.meshgrid(np.arange(5.0, 86, 5), [0, 1, 5, 20, 50, 100, 400, 900], [1, 2, 5, 10, 20, 50, 100])
+    )
+    sky = sd.PerezAllWeather(sd.direction(0.0, elevation * deg), direct, diffuse)
+    epsilon, delta, zenith = sky.conditions()
+    table = distribution_letters(epsilon, delta, zenith)
+    found = guarded_letters(epsilon, delta, zenith)
+    assert not is_dark(*found.letters[:2]).any()
+    assert sky.valid.all()
+    assert 0.1 < found.dark.mean() < 0.3
+    assert (delta[found.dark] < 0.2).all()
+    lit = ~found.dark
+    np.testing.assert_array_equal(np.stack(found.letters)[2:, lit], np.stack(table)[2:, lit])
 
 
 def test_levels_given_to_the_all_weather_sky():

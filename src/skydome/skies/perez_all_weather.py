@@ -1,7 +1,7 @@
 """Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution.
 
 deviation from the paper | here | why
-the table's own | see `perez_table` | b held at 0, no sky all negative
+the table's own | see `perez_table` | b held at 0, no sky negative on 30 % of the dome
 negative luminance | 0, and the level is set after that | a sky has no negative light
 sun within 3 degrees of the zenith | as it is in "paper"; at 87 degrees in "gendaylit" | gendaylit lowers the sun
 """

@@ -2,7 +2,7 @@
 
 deviation from the paper | here | why
 b may come out positive | held at 0 | exp(b / cos t) has no bound at the horizon unless b < 0
-formula negative all over (b above 0, a below -1) | brightness taken as 0.2 | else the sky is black; so do Radiance's
+formula negative on 30 % of the dome or more | brightness taken as 0.2 | else light on the horizon alone
 letters jump between bins | `bins_about`, on demand | ours: a sky between the letters of two bins
 """
 
@@ -21,6 +21,9 @@ LEAST_DIFFUSE = 1e-9
 
 LEAST_BRIGHTNESS = 0.2
 """Brightness of dim skies as gendaylit and gendaymtx take it for the letters, in `DIM` skies always."""
+
+MOST_BLACK = 0.3
+"""Share of the dome's solid angle from which a sky that the formula makes negative there counts as dark."""
 
 DIM = (1.065, 2.8)
 """Clearness between which Radiance's programs raise the brightness of every dim sky."""
@@ -80,7 +83,7 @@ def distribution_letters(epsilon: Array, delta: Array, sun_zenith: Array) -> tup
 
 
 class GuardedLetters(NamedTuple):
-    """The letters a to e, each (...,), b at most 0; where b was above 0; where the formula was negative all over."""
+    """The letters a to e, each (...,), b at most 0; where b was above 0; where the formula was too dark to be used."""
 
     letters: tuple[Array, ...]
     bright: Array
@@ -90,17 +93,33 @@ class GuardedLetters(NamedTuple):
 def guarded_letters(epsilon: Array, delta: Array, sun_zenith: Array, compat: Compat = "paper") -> GuardedLetters:
     """The letters such that the sky has light.
 
-    Under b = 0 the gradation is 1 + a everywhere. Where that is negative (dim skies of clearness 2-2.8), the brightness
-    is taken as `LEAST_BRIGHTNESS`, as gendaylit and gendaymtx take it for all dim skies of clearness 1.065-2.8.
+    Where the formula is negative on `MOST_BLACK` of the dome and more (clearness 1.065-4.5, brightness below 0.2), the
+    brightness is taken as `LEAST_BRIGHTNESS`, as gendaylit and gendaymtx take it for all dim skies of clearness
+    1.065-2.8; "gendaylit" does no more than that unless the formula is negative all over. A sky that is dark even so
+    (overcast, brightness above 0.7) gets b = 0: it is negative all over, and no sky.
     """
     xp = namespace(epsilon, delta, sun_zenith)
     if compat == "gendaylit":
         dim = (epsilon > DIM[0]) & (epsilon < DIM[1])
         delta = xp.where(dim, at_least(delta, LEAST_BRIGHTNESS), delta)
     first = distribution_letters(epsilon, delta, sun_zenith)
-    dark = (first[1] >= 0) & (first[0] < -1)
+    dark = is_dark(first[0], first[1], MOST_BLACK if compat == "paper" else 1.0)
     a, b, c, d, e = distribution_letters(epsilon, xp.where(dark, at_least(delta, LEAST_BRIGHTNESS), delta), sun_zenith)
-    return GuardedLetters((a, -at_least(-b, 0.0), c, d, e), first[1] > 0, dark)
+    b = -at_least(-b, 0.0)
+    b = b if compat == "gendaylit" else xp.where(is_dark(a, b), xp.zeros_like(b), b)  # dark even so: all over
+    return GuardedLetters((a, b, c, d, e), first[1] > 0, dark)
+
+
+def is_dark(a: Array, b: Array, share: float = MOST_BLACK) -> Array:
+    """True where the gradation is negative on that share of the dome's solid angle and more, boolean array (...,).
+
+    1 + a exp(b / cos t) is negative where cos t is above -b / ln(-a), for a < -1; under b = 0, all over. The table's
+    indicatrix is positive for every brightness below 0.5.
+
+    >>> is_dark(np.array([-1.2, -1.2, -1.2, -0.9]), np.array([-0.2, -0.1, 0.0, -0.1])).tolist()
+    [False, True, True, False]
+    """
+    return (a < -1) & (-b <= (1 - share) * namespace(a).log(at_least(-a, 1.0)))
 
 
 def bins_about(epsilon: Array) -> tuple[Array, Array, Array]:

@@ -11,7 +11,7 @@ FLAGS = {
     "no_diffuse": "sun up without diffuse irradiance: the sky is black, the sun is kept",
     "clamped": "clearness or brightness beyond the model's limits",
     "bright_overcast": "b of the formula came out positive and is held at 0",
-    "dark_sky": "the formula is negative all over: brightness taken as 0.2, the least that gendaylit allows there",
+    "dark_sky": "the formula is negative on 30 % of the dome or more: brightness taken as 0.2, as gendaylit has it",
     "uniform": "the formula is negative all over even so: a uniform sky",
     "cut_off": "the formula is negative in part of the sky, which is 0 there",
     "no_dew_point": "dew point missing: 11 degrees C",
