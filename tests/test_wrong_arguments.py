@@ -14,6 +14,7 @@ import skydome as sd
 SUN, VIEWS = sd.direction(2.0, 0.7), sd.direction([0.0, 1.0], 0.5)
 AROUND = sd.direction(np.linspace(0, 6, 20), np.linspace(0.1, 1.2, 20))
 TURIN, NOON = sd.Place(45.07, 7.69), "2026-06-21T12:00+02:00"
+NIGHT = "2026-01-03T22:00Z"
 AIR = sd.Atmosphere.from_turbidity(3.0)
 MOONLIT = replace(sd.clear_air(), sunlight=sd.Spectrum([300.0, 2500.0], [1e-6, 1e-6]))
 SKY, HW, DISC = sd.Preetham(SUN, 3.0), sd.HosekWilkie(SUN, 3.0), sd.SunDisc(SUN, 3.0)
@@ -195,6 +196,8 @@ METHODS = [
     (sd.Weather.from_frame, {"frame": None, "place": TURIN}),
     (sd.Spectrum([400.0, 500.0], [1.0, 2.0]).at, {"wavelengths": [450.0]}),
     (sd.Place.parse, {"text": "45,7"}),
+    *((kind.over, {"place": TURIN, "time": NIGHT}) for kind in (
+        sd.Stars, sd.Planets, sd.Starlight, sd.ZodiacalLight, sd.Moonlight, sd.MoonDisc, sd.Eclipse)),
 ]  # fmt: skip
 
 WRONG = {
@@ -254,6 +257,15 @@ def test_a_wrong_argument_of_a_method_gets_a_sentence(call, good):
         (lambda: sd.Preetham(SUN, "hazy"), "turbidity must be a number in .2, 6., or an array of such, got str 'hazy'"),
         (lambda: sd.Place([45.0, 46.0], 7.0), "latitude must be one number, got list"),
         (lambda: sd.LensFlare(ghosts=2.5), "ghosts must be one whole number, got float 2.5"),
+        (lambda: sd.Stars.over("x", NIGHT), "place must be of kind Place, as .* got str 'x'"),
+        (lambda: sd.MoonDisc.over(TURIN, [NIGHT, NIGHT]), r"time must be one time, got times of shape \(2,\)"),
+        (lambda: sd.sky_at(TURIN, NIGHT, glow=6), "glow must be of kind SkyGlow or None, as .* got int 6"),
+        (lambda: sd.sky_at(TURIN, NIGHT, only=[]), "only must name one part or more of sky, .* got none"),
+        (lambda: sd.sky_at(TURIN, NIGHT, only="mon"), "a part must be one of sky, .* got 'mon'"),
+        (lambda: sd.sky_at(TURIN, NOON).without("xx"), "a part must be one of sky, .* got 'xx'"),
+        (lambda: sd.surface_magnitude([1.0, 0.0]), "luminance must be above 0 cd m-2, got 0"),
+        (lambda: sd.Atmosphere.from_visibility(100.0), r"metres must lie in \[.* m, got 100"),
+        (lambda: sd.surface_magnitude(-1), "luminance must be above 0 cd m-2, got -1"),
         (lambda: sd.azimuth([1.0, 2.0]), r"directions must have shape \(\.\.\., 3\), got \(2,\)"),
     ],
 )

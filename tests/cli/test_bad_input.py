@@ -62,6 +62,10 @@ CASES = {
     "blend": ((*DAY, "--blend-overcast", "1.5"), ("fraction", "[0, 1]", "1.5")),
     "sun": (("--sun", "180"), ("--sun", "2 numbers")),
     "sun beyond the zenith": (("--sun", "180,91"), ("--sun", "[-90, 90]", "91")),
+    "set, no parameter": ((*DAY, "--set", "foo=3"), ("physical has no parameter for --set", "foo")),
+    "set, no number": ((*DAY, "--set", "albedo=x"), ("--set albedo", "a number such as albedo=8", "'x'")),
+    "visibility in fog": ((*DAY, "--visibility", "100m"), ("--visibility must lie in [", "] m", "got 100")),
+    "visibility beyond clean air": ((*DAY, "--visibility", "900km"), ("--visibility must lie in [", "got 900000")),
     "option": ((*DAY, "--turbidty", "3"), ("--turbidty", "--turbidity")),
     "option without value": ((*DAY, "--turbidity"), ("--turbidity",)),
 }

@@ -15,7 +15,7 @@ from skydome.air.cross_sections import STANDARD_PRESSURE, rayleigh_depth
 from skydome.air.gases.gases import STANDARD_WATER, Gases
 from skydome.air.phase_laws import Haze, HenyeyGreenstein
 from skydome.air.profiles import STRATOSPHERIC_LAYER, Exponential
-from skydome.air.turbidity import from_linke, from_meteorological_range
+from skydome.air.turbidity import from_linke, from_meteorological_range, meteorological_range
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import floating, is_numpy, namespace
 from skydome.ground.limits.ranges import Range, require, require_one
@@ -25,6 +25,16 @@ TURBIDITY = Range(1.0, 64.0)
 
 BACKGROUND_DEPTH = 0.006
 """Optical depth at 550 nm of the stratosphere's aerosol between great eruptions."""
+
+
+def visibilities() -> Range:
+    """How far one may see through the air of a turbidity.
+
+    >>> str(visibilities())
+    '[784.324, 279968] m'
+    """
+    far, near = (float(meteorological_range(np.asarray(end))) for end in (TURBIDITY.low, TURBIDITY.high))
+    return Range(near, far, "m")
 
 
 class AerosolKind(NamedTuple):
@@ -160,7 +170,12 @@ class NamedAirs:
 
     @classmethod
     def from_visibility(cls, metres: float, **others: Any) -> Any:
-        """Air in which one sees so far (meteorological range); `others` as in `from_turbidity`."""
+        """Air in which one sees so far (meteorological range); ValueError outside `visibilities`.
+
+        `others` as in `from_turbidity`.
+        """
+        require("metres", metres, visibilities())
+        require_one("metres", metres)
         return cls.from_turbidity(float(from_meteorological_range(np.asarray(metres))), **others)
 
     @classmethod

@@ -124,9 +124,13 @@ def meaning(word: str, given: list[str]) -> dict[str, Any]:
 def number_of(option: str, text: str) -> float:
     """A number that the option may have; ValueError in one line for any other."""
     low, high = LIMITS[option]
-    number = float(text)
+    try:
+        number = float(text)
+    except ValueError:
+        number = float("nan")
     if not low <= number <= high:
-        raise ValueError(f"{option} must lie in [{low:g}, {high:g}], got {text}")
+        wanted = "be three numbers" if option in COLOURS else "be a number"
+        raise ValueError(f"{option} must {wanted} in [{low:g}, {high:g}], got {text}")
     return number
 
 
@@ -141,10 +145,11 @@ def convert_many(asked: Asked) -> None:
 
     names = [Path(path).stem for path in asked.paths]
     twice = sorted({name for name in names if names.count(name) > 1})
-    if twice or asked.suns or "-" in asked.paths:
-        raise ValueError(
-            f"--folder takes files of different names, without -D, got {', '.join(twice) or asked.suns or '-'}"
-        )
+    if "-" in asked.paths:
+        raise ValueError("--folder needs one file or more to read (tape.wea or site.epw), got none or standard input")
+    if twice or asked.suns:
+        got = ", ".join(twice) or f"-D {asked.suns}"
+        raise ValueError(f"--folder takes files of different names, without -D, got {got}")
     Path(asked.folder).mkdir(parents=True, exist_ok=True)
     failed = 0
     for name, path in zip(names, asked.paths, strict=True):

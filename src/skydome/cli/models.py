@@ -31,7 +31,7 @@ def turbidity_of(options: SkyOptions) -> float:
 def hazed(model: "Model", options: SkyOptions) -> tuple[SkyOptions, list[str]]:
     """The options with the turbidity of a --visibility, and what to say of it; as they are where the model takes that.
 
-    ValueError for both, or for more than clean air allows.
+    ValueError for both, or for more than clean air or less than haze allows.
     """
     if options.visibility is None or "visibility" in model.takes:
         return options, []
@@ -39,8 +39,11 @@ def hazed(model: "Model", options: SkyOptions) -> tuple[SkyOptions, list[str]]:
         raise ValueError("--visibility is the other way to say --turbidity: give one of them")
     import numpy as np
 
+    from skydome.air.named_airs import visibilities
     from skydome.air.turbidity import from_meteorological_range
+    from skydome.ground.limits.ranges import require
 
+    require("--visibility", options.visibility, visibilities())
     turbidity = float(from_meteorological_range(np.asarray(options.visibility)))
     note = f"haze: one sees {options.visibility / 1000:g} km, turbidity {turbidity:.3g}"
     return replace(options, visibility=None, turbidity=turbidity), [note]
@@ -58,7 +61,11 @@ def refuse_what_it_does_not_take(model: "Model", options: SkyOptions) -> None:
     for name in set_by_name(options.set):
         if name not in model.takes or name in SkyOptions.__dataclass_fields__:
             own = [name for name in model.takes if name not in (*SkyOptions.__dataclass_fields__, *LETTERS)]
-            raise ValueError(f"--set must name one of {', '.join(own) or 'no parameter'} of {model.name}, got {name!r}")
+            if not own:
+                raise ValueError(
+                    f"{model.name} has no parameter for --set, got {name!r}: each has an option of its own"
+                )
+            raise ValueError(f"--set must name one of {', '.join(own)} of {model.name}, got {name!r}")
 
 
 def given_parameters(model: "Model", options: SkyOptions) -> dict[str, Any]:

@@ -233,5 +233,6 @@ def numbers(text: str, count: int, option: str, example: str) -> tuple[float, ..
     except ValueError:
         values = ()
     if len(values) != count or not all(abs(value) < float("inf") for value in values):
-        raise ValueError(f"{option} must be {count} numbers such as {example}, got {text!r}")
+        wanted = "a number" if count == 1 else f"{count} numbers"
+        raise ValueError(f"{option} must be {wanted} such as {example}, got {text!r}")
     return values

@@ -132,6 +132,9 @@ def test_many_sites(summer, tmp_path):
         ([], "nonsense\n", "-, line 1: not a weather file"),
         (["-D"], None, "usage"),
         (["a.wea", "b.wea"], None, "usage"),
+        (["-m", "x"], None, "-m must be a number in [1, 12], got x"),
+        (["-g", "0.1", "0.2", "a.epw"], None, "-g must be three numbers in [0, 1], got a.epw"),
+        (["--folder", "out"], None, "--folder needs one file or more"),
         ([], HEAD.format(52) + "6 21 12.5 1\n", "line 7: a row has 5 finite numbers"),
     ],
 )

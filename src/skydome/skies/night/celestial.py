@@ -17,7 +17,7 @@ from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.night.held_dome import HeldDome
 from skydome.skies.night.stars import instant
-from skydome.skies.night.through_air import Air, of_celestial
+from skydome.skies.night.through_air import Air, air_of, of_celestial
 from skydome.sun.celestial import ecliptic_axes, place_axes
 from skydome.sun.place import Place
 from skydome.sun.times import Times
@@ -90,9 +90,10 @@ class Celestial(NightGlow):
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None) -> Self:
         """That of one time at a place."""
+        Place.required(place)
         at = np.array([instant(time)], dtype="datetime64[us]")
         to_stars = place_axes(place, at)[0].T
-        return cls(clear_air() if air is None else air, turn=cls.own_axes(at) @ to_stars)
+        return cls(air_of(air), turn=cls.own_axes(at) @ to_stars)
 
     @staticmethod
     @abstractmethod

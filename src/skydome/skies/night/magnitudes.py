@@ -43,7 +43,11 @@ def surface_magnitude(luminance: ArrayLike) -> np.ndarray:
     >>> float(surface_magnitude(luminance_of(21.5)).round(6))
     21.5
     """
-    return np.asarray(-2.5 * np.log10(numbers(luminance, "luminance") * SQUARE_ARCSECOND / ZERO))
+    light = numbers(luminance, "luminance")
+    lit = light > 0
+    if not lit.all():
+        raise ValueError(f"luminance must be above 0 cd m-2, got {light[~lit].flat[0]:g}")
+    return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / ZERO))
 
 
 def temperature_of(colour: ArrayLike) -> np.ndarray:

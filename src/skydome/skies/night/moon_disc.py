@@ -17,8 +17,9 @@ from skydome.moon.position import LUNAR_RADIUS
 from skydome.skies.all_air.bent_sun import SPOTS, BentSun
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import as_seen
-from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.night.lunar_light import BANDS, LunarLight
+from skydome.skies.night.stars import instant
+from skydome.skies.night.through_air import air_of
 from skydome.sun.place import Place
 from skydome.sun.times import Times
 
@@ -66,13 +67,13 @@ class MoonDisc(BentSun):
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None) -> Self:
         """The moon of one time at a place."""
-        return cls.under(moon_phase(place, time), air)
+        return cls.under(moon_phase(place, instant(time)), air)
 
     @classmethod
     def under(cls, phase: MoonPhase, air: Atmosphere | None = None) -> Self:
         """One moon of shape ()."""
         light = LunarLight.of(phase)
-        air = replace(clear_air() if air is None else air, sunlight=Spectrum(BANDS, light.lit), sun_scale=1.0)
+        air = replace(air_of(air), sunlight=Spectrum(BANDS, light.lit), sun_scale=1.0)
         standing = np.asarray(phase.direction, np.float64)
         return cls(
             as_seen(ColumnTables.of(air), standing),

@@ -8,8 +8,9 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.moon.phase import MoonPhase, moon_phase
 from skydome.skies.all_air.sky import PhysicalSky
-from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.night.lunar_light import LunarLight
+from skydome.skies.night.stars import instant
+from skydome.skies.night.through_air import air_of
 from skydome.sun.place import Place
 from skydome.sun.times import Times
 
@@ -38,7 +39,7 @@ class Moonlight(PhysicalSky):
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None, **others: Any) -> Self:
         """The moonlit sky of one time at a place."""
-        return cls.under(moon_phase(place, time), air, **others)
+        return cls.under(moon_phase(place, instant(time)), air, **others)
 
     @classmethod
     def under(cls, phase: MoonPhase, air: Atmosphere | None = None, **others: Any) -> Self:
@@ -52,4 +53,4 @@ class Moonlight(PhysicalSky):
 
 def moonlit(phase: MoonPhase, air: Atmosphere | None) -> Atmosphere:
     """An air under the moonlight of one moon."""
-    return replace(clear_air() if air is None else air, sunlight=LunarLight.of(phase).spectrum, sun_scale=1.0)
+    return replace(air_of(air), sunlight=LunarLight.of(phase).spectrum, sun_scale=1.0)

@@ -7,12 +7,11 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.ground.arguments import require_kind
+from skydome.ground.arguments import require_kind, require_word
 from skydome.ground.units import deg
 from skydome.moon.phase import moon_phase
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.sky import PhysicalSky
-from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralCombination, SpectralSky
 from skydome.skies.night.airglow import Airglow
 from skydome.skies.night.eclipse import Eclipse, EclipsedSun, darkened
@@ -21,6 +20,7 @@ from skydome.skies.night.moonlight import Moonlight
 from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.starlight import Starlight
 from skydome.skies.night.stars import Planets, Stars, instant
+from skydome.skies.night.through_air import air_of
 from skydome.skies.night.zodiacal import ZodiacalLight
 from skydome.sun.place import Place
 from skydome.sun.position import earth_sun_distance, solar_radius
@@ -64,7 +64,9 @@ class WholeSky(SpectralCombination):
         return self.members[self.names.index(name)]  # type: ignore[return-value]
 
     def without(self, *names: str) -> "WholeSky":
-        """The sum less the parts of these names."""
+        """The sum less the parts of these names, be they there at this hour or not; ValueError for no part's name."""
+        for name in names:
+            require_word(name, NAMES, "a part")
         kept = [(name, sky) for name, sky in zip(self.names, self.members, strict=True) if name not in names]
         skies = tuple(sky for _, sky in kept)
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
@@ -83,7 +85,7 @@ def sky_at(
 
     Physical sky and the sun's disc, moonlit sky and the moon's disc, planets, stars (extra `night`), fainter
     starlight, zodiacal light, airglow by `solar_flux` (10.7 cm), and the `glow` of towns where one is given. The sun is
-    dimmed by an eclipse. `only`: some parts, by name.
+    dimmed by an eclipse. `only`: some parts, by name, or one.
 
     >>> import skydome as sd
     >>> noon = sky_at(sd.Place(50.0, 8.0), "2026-06-29T12:00Z")
@@ -92,20 +94,32 @@ def sky_at(
     """
     Place.required(place)
     at = instant(time)
-    air = clear_air() if air is None else air
-    require_kind(air, Atmosphere, "air", "sd.clear_air()")
+    air = air_of(air)
+    require_kind(glow, SkyGlow | None, "glow", "sd.SkyGlow()")
+    wanted = wanted_names(only)
     hour = Hour.of(place, at, air)
     parts: dict[str, Any] = {**hour.of_sun(), **hour.of_moon(), **hour.points(), **hour.glows(solar_flux)}
     if glow is not None and hour.sun_elevation < GLOWS_SEEN:
         parts["skyglow"] = replace(glow, atmosphere=air)
-    wanted = NAMES if only is None else tuple(only)
-    for name in wanted:
-        if name not in NAMES:
-            raise ValueError(f"a part must be one of {', '.join(NAMES)}, got {name!r}")
     kept = {name: sky for name, sky in parts.items() if name in wanted}
     if not kept:
         raise ValueError(f"none of {', '.join(wanted)} gives light at that hour; there are {', '.join(parts)}")
     return WholeSky(tuple(kept.values()), (1.0,) * len(kept), tuple(kept), hour.notes(parts))
+
+
+def wanted_names(only: Iterable[str] | None) -> tuple[str, ...]:
+    """The names of the parts asked for, all of them for None, one written alone; an error in a sentence for others.
+
+    >>> wanted_names("moon")
+    ('moon',)
+    """
+    if only is None:
+        return NAMES
+    require_kind(only, Iterable, "only", "['moon', 'stars']")
+    found = tuple(require_word(name, NAMES, "a part") for name in ([only] if isinstance(only, str) else only))
+    if not found:
+        raise ValueError(f"only must name one part or more of {', '.join(NAMES)}, got none")
+    return found
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.ground.limits.ranges import FINITE, require, require_one
 from skydome.light.spectrum import Spectrum
-from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.night.magnitudes import BANDS, starlight_of
-from skydome.skies.night.through_air import Air
+from skydome.skies.night.through_air import Air, air_of
 from skydome.skies.suns.point_lights import PointLights
 from skydome.stars.catalogue import EPOCH, hipparcos
 from skydome.stars.directions import star_directions
@@ -33,7 +33,10 @@ class Stars(PointLights):
     @classmethod
     def over(cls, place: Place, time: Times, air: Atmosphere | None = None, faintest: float = FAINTEST) -> "Stars":
         """The stars of Hipparcos of magnitude `faintest` or brighter over a place at one time (extra `night`)."""
-        table = hipparcos(faintest)
+        Place.required(place)
+        require("faintest", faintest, FINITE)
+        require_one("faintest", faintest)
+        table = hipparcos(float(faintest))
         motion = (table.along, table.north)
         true = star_directions(
             place, instant(time), table.right_ascension, table.declination, motion, table.parallax, EPOCH
@@ -62,7 +65,7 @@ def instant(time: Times) -> Any:
     """One time as datetime64; ValueError for many."""
     found = checked_years(instants(time))
     if found.shape:
-        raise ValueError(f"stars stand still at one time only, got times of shape {found.shape}")
+        raise ValueError(f"time must be one time, got times of shape {found.shape}: call once for each")
     return found[()]
 
 
@@ -70,7 +73,7 @@ def through(
     air: Atmosphere | None, true: np.ndarray, magnitude: np.ndarray, colour: np.ndarray
 ) -> tuple[np.ndarray, Spectrum]:
     """Where points (N, 3) of a magnitude and a colour are seen, and what the air leaves of those that rose."""
-    over = Air(clear_air() if air is None else air)
+    over = Air(air_of(air))
     high = true[:, 2] > -0.01
     seen = over.lifted(true[high])
     light = starlight_of(magnitude[high], colour[high]) * over.transmittance(seen[:, 2], BANDS)

@@ -10,14 +10,22 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Molecules, Ozone
+from skydome.ground.arguments import require_kind
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import as_seen
+from skydome.skies.all_air.taught_air import clear_air
 
 LEAST = 77.0
 """The faintest brightness that the shares were found for: that of the zodiacal light's poles."""
 
 SHARES_END, LATER = 5.0, 0.25
 """Columns, in vertical ones, up to which the shares are known, and what share counts beyond, near the horizon."""
+
+
+def air_of(given: Atmosphere | None) -> Atmosphere:
+    """The air that was given, or `clear_air`; TypeError for what is none."""
+    require_kind(given, Atmosphere | None, "air", "sd.clear_air()")
+    return clear_air() if given is None else given
 
 
 @dataclass(frozen=True, eq=False)
