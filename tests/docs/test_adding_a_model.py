@@ -90,7 +90,7 @@ def test_light_and_its_own_parameter(facts, run):
         "glow=30": "glow must lie in [0, 20], got 30",
         "gleam=1": "--set must name one of glow",
         "turbidity=3": "--set must name one of glow",
-        "glow": "--set glow must be 1 numbers",
+        "glow": "--set glow must be a number",
     }
     for wrong, said in refused.items():
         done = run("-m", "skydome", "light", *GLOW, "--set", wrong)

@@ -1,5 +1,7 @@
 """Labelled in, labelled out: pandas and xarray at the door of skies, integrals and directions."""
 
+from functools import partial
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -86,6 +88,40 @@ def test_directions_suns_and_colours():
     xyz = sd.HosekWilkie(SUN, 3.0).xyz(pd.DataFrame(VIEWS, index=list("nesw")))
     same(colour_temperature(xyz), colour_temperature(xyz.to_numpy()), xyz.index)
     assert isinstance(sd.sun_direction(TURIN, HOURS), np.ndarray)  # an index holds times, and labels nothing
+
+
+NUMBERS = pd.Series([3.0, 4.0, 5.0], index=["a", "b", "c"])
+TIMES = pd.Series(HOURS, index=["ten", "eleven", "noon"])
+
+
+@pytest.mark.parametrize(
+    ("function", "given"),
+    [
+        (sd.solar_radius, TIMES),
+        (partial(sd.lunar_radius, TURIN), TIMES),
+        (partial(sd.preetham_sun_direction, TURIN), TIMES),
+        (sd.surface_magnitude, NUMBERS),
+        (sd.takagi_colour_temperature, NUMBERS),
+        (sd.meteorological_range, NUMBERS),
+    ],
+)
+def test_functions_of_numbers_and_times(function, given):
+    light = function(given)
+    same(light, function(HOURS if given is TIMES else given.to_numpy()), given.index)
+    assert getattr(light, "name", None) in (None, getattr(function, "func", function).__name__)
+
+
+def test_polarisation():
+    """Toward labelled views, with wavelengths, and Stokes' three beyond what pandas can hold."""
+    sky, frame = sd.PhysicalSky(SUN), pd.DataFrame(VIEWS, index=list("nesw"))
+    views = xr.DataArray(VIEWS, {"view": list("nesw")}, ["view", "axis"])
+    for method in (sky.degree_of_polarisation, sky.angle_of_polarisation):
+        same(method(frame, [450.0, 550.0]), method(VIEWS, [450.0, 550.0]), frame.index)
+        assert list(method(directions=frame, wavelengths=[450.0, 550.0]).columns) == [450.0, 550.0]
+    plain, light = sky.stokes(VIEWS, [550.0]), sky.stokes(views, [550.0])
+    assert light.dims == ("view", "wavelength", "stokes")
+    np.testing.assert_array_equal(light.sel(stokes="Q"), plain[..., 1])
+    np.testing.assert_array_equal(sky.stokes(frame, [550.0]), plain)
 
 
 def angles(toward):

@@ -10,6 +10,7 @@ from skydome.air.scattering import HAZE_DECAY, gas_total, haze_total
 from skydome.air.transmittance import angstrom_beta
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.extras import required
+from skydome.ground.labels import keeps_labels
 
 CONTRAST = 0.02
 """The least contrast that an observer sees (Preetham 1999, section 2.1)."""
@@ -18,6 +19,7 @@ GAS_THICKNESS = 0.008735 * 0.55**-4.08
 """Vertical optical thickness of the molecules at 550 nm (A.1): 0.1001."""
 
 
+@keeps_labels("m", turbidity=0)
 def meteorological_range(turbidity: Array) -> Array:
     """How far a black target is seen against the horizon, m, same shape: ln(1 / 0.02) over the extinction at 550 nm.
 

@@ -67,6 +67,7 @@ def moon_distance(place: Place, time: Times) -> np.ndarray:
     return distance * ASTRONOMICAL_UNIT
 
 
+@keeps_labels("rad", time=0)
 def lunar_radius(place: Place, time: Times) -> np.ndarray:
     """Angular radius of the moon's disc seen from the place, radians, shape (...,).
 

@@ -17,10 +17,11 @@ Kind = TypeVar("Kind")
 
 
 class Answer(NamedTuple):
-    """What a method of the ladder answers: its unit, and its last axis, if it has one."""
+    """What a method of the ladder answers: its unit, its last axes, and whether wavelengths come before those."""
 
     unit: str
     last: tuple[Axis, ...] = ()
+    spectral: bool = False
 
 
 XYZ_CHANNELS = (Axis("channel", ("X", "Y", "Z"), 3),)
@@ -30,7 +31,10 @@ ANSWERS = {
     "luminance": Answer("cd m-2"),
     "xyz": Answer("cd m-2", XYZ_CHANNELS),
     "rgb": Answer("cd m-2", RGB_CHANNELS),
-    "radiance": Answer("W m-2 sr-1 nm-1", (Axis("wavelength", None, 0),)),
+    "radiance": Answer("W m-2 sr-1 nm-1", spectral=True),
+    "stokes": Answer("W m-2 sr-1 nm-1", (Axis("stokes", ("I", "Q", "U"), 3),), spectral=True),
+    "degree_of_polarisation": Answer("", spectral=True),
+    "angle_of_polarisation": Answer("rad", spectral=True),
 }
 """The ladder's methods."""
 
@@ -73,7 +77,8 @@ def answered(
     sky: Any, name: str, given: list[tuple[Any, int]], arguments: tuple[Any, ...], named: dict[str, Any]
 ) -> Any:
     """The light of a sky and arguments of which some, `given`, are labelled."""
-    wavelengths = named.get("wavelengths", arguments[-1]) if name == "radiance" else None
+    unit, last, spectral = ANSWERS[name]
+    wavelengths = named.get("wavelengths", arguments[-1] if arguments else None) if spectral else None
     door = Door.of((value, core) for value, core in given if value is not wavelengths)
 
     def plain(value: Any) -> Any:
@@ -83,9 +88,8 @@ def answered(
 
     bare = changed(sky, lambda value, core: door.array(value, core) if is_labelled(value) else value)
     light = getattr(bare, name)(*map(plain, arguments), **{key: plain(value) for key, value in named.items()})
-    unit, last = ANSWERS[name]
     if wavelengths is not None:
-        last = wavelength_axis(wavelengths)
+        last = (*wavelength_axis(wavelengths), *last)
     return door.labelled(light, last, name, unit)
 
 

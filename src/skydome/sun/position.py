@@ -92,6 +92,7 @@ def earth_sun_distance(time: Times) -> np.ndarray:
     return distances(checked_years(utc).ravel()).reshape(utc.shape)
 
 
+@keeps_labels("rad", time=0)
 def solar_radius(time: Times) -> np.ndarray:
     """Angular radius of the sun's disc seen from the earth, radians, shape (...,): 959.63 arcsec at 1 AU.
 

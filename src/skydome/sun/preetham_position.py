@@ -3,11 +3,13 @@
 import numpy as np
 
 from skydome.ground.directions import direction
+from skydome.ground.labels import COMPONENTS, keeps_labels
 from skydome.ground.units import deg
 from skydome.sun.place import Place
 from skydome.sun.times import Times, instants
 
 
+@keeps_labels(last=(COMPONENTS,), time=0)
 def preetham_sun_direction(place: Place, time: Times) -> np.ndarray:
     """Unit vectors toward the sun, shape (..., 3) for times (...,), without refraction; use `sun_direction` instead.
 

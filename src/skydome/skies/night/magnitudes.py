@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.ground.arguments import numbers
+from skydome.ground.labels import keeps_labels
 from skydome.light.spectrum import xyz_weights
 
 ZERO = 2.54e-6
@@ -37,6 +38,7 @@ def luminance_of(magnitude: ArrayLike) -> np.ndarray:
     return illuminance_of(magnitude) / SQUARE_ARCSECOND
 
 
+@keeps_labels("mag arcsec-2", luminance=0)
 def surface_magnitude(luminance: ArrayLike) -> np.ndarray:
     """Magnitudes a square arcsecond in V of a luminance, cd m-2, (...,): what a sky quality meter counts in.
 

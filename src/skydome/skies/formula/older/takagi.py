@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from skydome.ground.arrays import Array, at_least, floating, namespace
+from skydome.ground.labels import keeps_labels
 from skydome.light.colour import xyz_from_xyY
 from skydome.light.daylight import LOCUS, daylight_chromaticity, daylight_spectrum
 from skydome.skies.colour_sky import SpectralSky
@@ -14,6 +15,7 @@ WHITEST = 6500.0
 """K, of a sky without end in brightness."""
 
 
+@keeps_labels("K", luminance=0)
 def takagi_colour_temperature(luminance: Array) -> Array:
     """Colour temperature, K, of sky of a luminance (...,), cd m-2, same shape; at most 25,000, the daylight locus' end.
 
