@@ -191,6 +191,14 @@ def test_clamping_is_told(facts, when):
     assert facts("light", *when)["valid"] is True
 
 
+def test_light_that_is_nan_when_asked_is_null(facts, call, when):
+    asked = ("light", *when, "--model", "hosek-wilkie", "--turbidity", 12, "--check", "nan")
+    told = facts(*asked)
+    assert told["zenith_luminance_cd_m2"] is None
+    assert {each["parameter"]: each["used"] for each in told["outside_ranges"]} == {"turbidity": None}
+    assert "turbidity 12 is outside [1, 10]: no light (nan)" in " ".join(call(*asked).stdout.split())
+
+
 def test_colours_beyond_every_black_body_are_null(facts, call, when):
     sky = ("--model", "uniform", "--chromaticity", "0.22,0.22")
     told = facts("light", *when, *sky)

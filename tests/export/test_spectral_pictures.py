@@ -58,3 +58,23 @@ def test_what_cannot_be_is_refused(tmp_path):
     with pytest.raises(TypeError, match="SpectralSky"):
         sd.save_spectra(sd.Uniform(1000.0), tmp_path / "sky.hsr", BANDS)
     assert not list(tmp_path.iterdir())
+
+
+def test_the_disc_is_left_out_with_a_word(tmp_path):
+    """What is left out is told, and nothing of it is in the file."""
+    disc = sd.SunDisc.of(SKY)
+    light = float(sd.illuminance(disc))
+    with pytest.warns(UserWarning, match=f"left out of a map of spectra: {light:,.6g} lx"):
+        sd.save_spectra(SKY + disc, tmp_path / "both.hsr", BANDS, height=16)
+    sd.save_spectra(SKY, tmp_path / "sky.hsr", BANDS, height=16)
+    assert (tmp_path / "both.hsr").read_bytes() == (tmp_path / "sky.hsr").read_bytes()
+    with pytest.raises(ValueError, match="of nothing else"):
+        sd.save_spectra(disc, tmp_path / "disc.hsr", BANDS, height=16)
+
+
+def test_many_skies_are_refused(tmp_path):
+    suns = sd.direction(azimuth=[1.0, 2.0], elevation=[0.5, 0.6])
+    many = sd.HosekWilkie(suns[:, None, :], turbidity=3.0)
+    for sky in (many, many + sd.SunDisc.of(many)):
+        with pytest.raises(ValueError, match="a map shows one sky at a time"):
+            sd.save_spectra(sky, tmp_path / "sky.exr", BANDS, height=16)

@@ -193,6 +193,11 @@ def test_wrong_requests(tmp_path):
         ),
         ({"path": "sky.exr", "exposure": 2.0}, r"exposure goes with \.png alone, got 'sky.exr'"),
         ({"path": "sky.exr", "white_luminance": 0.0}, "white luminance must be finite and more than 0, got 0"),
+        (
+            {"path": "sky.exr", "white_luminance": 1e45},
+            r"white luminance must lie in \[1e-12, 1e\+12\] cd m-2, got 1e\+45",
+        ),
+        ({"path": "sky.hdr", "white_luminance": 1e-13}, r"white luminance must lie in \[1e-12, 1e\+12\] cd m-2"),
         ({"path": "sky.exr", "gamut": "clip"}, "gamut must be one of white, none, got 'clip'"),
         ({"path": "sky.exr", "target": "maya"}, "target must be one of"),
         ({"path": "sky.exr", "target": "cube", "height": 100}, "multiple of 6"),
@@ -202,6 +207,14 @@ def test_wrong_requests(tmp_path):
             sky().save(tmp_path / request.pop("path"), **request)
         one_line(caught)
     assert not os.listdir(tmp_path)
+
+
+def test_the_outermost_whites_come_back(tmp_path):
+    for ending in (".exr", ".hdr"):
+        for white in (1e-12, 1e12):
+            sky().save(tmp_path / f"sky{ending}", white_luminance=white)
+            back = load(tmp_path / f"sky{ending}").luminance()
+            np.testing.assert_allclose(back.max(), sky().luminance().max(), rtol=0.01)
 
 
 def damaged_copies(good: bytes):

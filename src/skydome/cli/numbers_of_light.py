@@ -63,9 +63,10 @@ def energy_facts(scene: Scene) -> dict[str, Any]:
 
 def require_light(scene: Scene, light: dict[str, Any]) -> None:
     """ValueError for light that is no light: below 0, infinite, or NaN where none was asked for (--check nan)."""
+    asked = any(part.single[0].check == "nan" for part in scene.whole.parts)
     for where, value in light.items():
         given = float(value)
-        if not (0 <= given < math.inf or (math.isnan(given) and scene.whole.check == "nan")):
+        if not (0 <= given < math.inf or (math.isnan(given) and asked)):
             raise ValueError(f"light {where} must be finite and not negative, got {given:g} of {scene.name}")
 
 

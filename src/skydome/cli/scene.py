@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_twilight
+from skydome.cli.night.eclipse import under_eclipse
 from skydome.cli.night.whole_scene import shows_the_night, whole_light
 from skydome.cli.options import SkyOptions, numbers
 
@@ -45,10 +46,11 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     true = moment_for(model, options)
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)
+    sky, dimmed = under_eclipse(sky, true)
     coloured, more = in_colour(sky, moment, options)
     disc, last = disc_for(model, coloured, moment, options)
     disc, size = of_size(disc, options.sun_size)
-    notes = haze + notes + more + last + size
+    notes = haze + notes + dimmed + more + last + size
     overcast = None
     if options.blend_overcast is not None:
         overcast, note = overcast_for(moment, options)

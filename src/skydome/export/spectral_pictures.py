@@ -4,6 +4,9 @@ A pixel of .hsr is one byte for each band, from long waves to short, and their e
 `color.c` reads them. Texels hold the light toward their centres: the sun's disc is left to a light of its own.
 """
 
+import warnings
+from functools import reduce
+from operator import add
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -11,8 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.dome.integrals import discs_and_rest, extended, points_of
+from skydome.dome.render import require_one_condition
 from skydome.ground import exr, hdr
 from skydome.ground.arguments import numbers, require_kind
+from skydome.ground.directions import ZENITH
 from skydome.ground.limits.sizes import require_memory
 from skydome.ground.writing import appearing
 from skydome.light.radiance_bands import band_weights, scaled, splits_of
@@ -34,7 +40,8 @@ def save_spectra(
 
     `wavelengths` (W,), nm: of .hsr at least 4 and even. The map is equirectangular, or of another `projection`.
     A pixel of .hsr is W m-2 sr-1 of white as Radiance counts it, scaled so that its luminance times 179 is the sky's;
-    one of .exr is W m-2 sr-1 nm-1 in channels `S0.550,0nm`, and R, G, B to look at. ValueError for other endings.
+    one of .exr is W m-2 sr-1 nm-1 in channels `S0.550,0nm`, and R, G, B to look at. The sun's disc and points of light
+    are left out, and a UserWarning says how much light that is. ValueError for other endings, or many skies.
 
     >>> import skydome as sd, tempfile
     >>> sky = sd.HosekWilkie(sd.direction(azimuth=0.0, elevation=0.7), turbidity=3.0)
@@ -53,8 +60,29 @@ def save_spectra(
     layout = projection or Equirectangular()
     rows, columns = layout.shape(height)
     require_memory(8.0 * rows * columns * (bands.size + 6), f"spectra of {columns} x {rows} texels")
-    WRITERS[final.suffix](sky, final, bands, layout.directions(height))
+    require_one_condition(sky)
+    WRITERS[final.suffix](without_small_lights(sky), final, bands, layout.directions(height))
     return final
+
+
+def without_small_lights(sky: SpectralSky) -> SpectralSky:
+    """The sky less discs and points, with a UserWarning of their light; ValueError where nothing else shines."""
+    discs, rest = discs_and_rest(sky)
+    wide = extended(rest)
+    if len(wide) == len(sky.parts):
+        return sky
+    light = sum(float(disc.illuminance(ZENITH)) * float(factor) for disc, factor in discs)
+    light += sum(float(points.illuminance(ZENITH)) * float(factor) for points, factor in points_of(rest))
+    if not wide:
+        raise ValueError("a map of spectra leaves out discs and points of light, got a sky of nothing else")
+    warnings.warn(
+        f"discs and points of light are left out of a map of spectra: {light:,.6g} lx on the horizontal; "
+        "a lamp or sd.render shows them",
+        stacklevel=3,
+    )
+    left = reduce(add, wide)
+    assert isinstance(left, SpectralSky)
+    return left
 
 
 def brief_list(values: np.ndarray) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 
 from skydome.ground import exr, hdr, png
 from skydome.ground.arguments import require_path
+from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.gamut import within_gamut
@@ -27,6 +28,8 @@ OWN = "skydome:"  # begins the names of what we alone write into headers
 FORMATS = (".exr", ".hdr", ".png")
 HALF_WHITE = 1e5
 """cd m-2 of RGB (1, 1, 1) in half floats: they end at 65504, so at 6.6e9, the sun is near 1.6e9; one for all files."""
+WHITE_IN_FILE = Range(float(np.float32(1e-12)), 1e12, "cd m-2")
+"""What a file's white may be, so that the file can be read again; OpenEXR keeps it in float32."""
 COARSE = 0.01
 """Share of a map's light that the rounding to half floats may move."""
 Gamut = Literal["white", "none"]
@@ -66,6 +69,7 @@ def save(
     environment = in_its_colours(environment, space_in_file(environment, path, layout), gamut)
     notes = provenance(environment, layout)
     white = file_white(environment, path, layout, half, white_luminance) or environment.white_luminance
+    require("white luminance", white, WHITE_IN_FILE)
     if suffix == ".exr":
         save_exr(environment, path, is_half(layout, half), white, notes)
     else:
@@ -115,6 +119,8 @@ def require_choices(
             raise ValueError(f"{what} goes with {' and '.join(allowed)} alone, got {name!r}")
         if value is not None and not 0 < value < math.inf:
             raise ValueError(f"{what} must be finite and more than 0, got {value:g}")
+    if white_luminance is not None:
+        require("white luminance", white_luminance, WHITE_IN_FILE)
 
 
 def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut) -> MapPixels:

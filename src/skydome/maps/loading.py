@@ -16,7 +16,7 @@ from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import ACESCG, RADIANCE, REC2020, SRGB, RGBSpace
 from skydome.maps import projections
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.files import OWN, PLACE
+from skydome.maps.files import OWN, PLACE, WHITE_IN_FILE
 from skydome.maps.projection import Projection
 from skydome.maps.targets import target as target_named
 from skydome.sun.place import Place
@@ -116,8 +116,8 @@ READERS = {".exr": load_exr, ".hdr": load_hdr}
 
 STATED = {
     **Place.bounds,
-    "whiteLuminance": Range(1e-12, 1e12, "cd m-2"),
-    "EXPOSURE": Range(1e-12, 1e12),
+    "whiteLuminance": WHITE_IN_FILE,
+    "EXPOSURE": Range(1e-12, 1e15),
     "chromaticities": Range(-5.0, 5.0),
     "PRIMARIES": Range(-5.0, 5.0),
 }

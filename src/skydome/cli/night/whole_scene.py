@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from skydome.cli.models import build
 from skydome.cli.moment import Moment, moment_of
+from skydome.cli.night.eclipse import is_total
 from skydome.cli.options import SkyOptions
 
 if TYPE_CHECKING:
@@ -25,12 +26,13 @@ BY_DAY_ALONE = {"blend_overcast": "--blend-overcast", "sun_size": "--sun-size", 
 
 
 def shows_the_night(model: "Model", options: SkyOptions) -> bool:
-    """True where a place and a time are given, the sun has set there, and the model is the physical sky."""
+    """True where a place and a time are given, the sun has set there or is all covered, and the sky is the physical."""
     from skydome.skies.all_air.sky import PhysicalSky
 
     if model.kind is not PhysicalSky or options.sun is not None or options.place is None or options.time is None:
         return False
-    return float(moment_of(options).direction[2]) < 0
+    moment = moment_of(options)
+    return float(moment.direction[2]) < 0 or is_total(moment)
 
 
 def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight:
@@ -39,9 +41,9 @@ def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight
 
     for name, option in BY_DAY_ALONE.items():
         if getattr(options, name) is not None:
-            raise ValueError(f"{option} needs the sun above the horizon, got a night or twilight")
+            raise ValueError(f"{option} needs the sun above the horizon, got a night, twilight or total eclipse")
     if north:
-        raise ValueError("--north turns the sun's sky alone; leave it out when the sun has set")
+        raise ValueError("--north turns the sun's sky alone; leave it out when the sun has set or is covered")
     moment = moment_of(options)
     sky, notes = build(model, moment, options)
     whole = sd.sky_at(place_of(moment), moment.time, sky.atmosphere)  # type: ignore[arg-type,attr-defined]
