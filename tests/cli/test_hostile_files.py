@@ -23,7 +23,7 @@ WORDS = {
     "chroma": "chromaticities in the header of", "primaries": "PRIMARIES in the header of", "exposure": "EXPOSURE",
     "white": "whiteLuminance in the header of", "latitude": "latitude in the header of",
 }  # fmt: skip
-READ = {"tif_nul inside.tif", "npz_dem_flip14.npz", "npz_dem_flip18.npz", "npz_dem_flip26.npz", "tm2_del6.tm2"}
+READ = {"tif_nul inside.tif", "npz_dem_flip14.npz", "npz_dem_flip18.npz", "npz_dem_flip26.npz"}
 """Files whose damage may touch nothing that is looked at: read whole and right, or refused."""
 
 

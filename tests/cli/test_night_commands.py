@@ -22,3 +22,10 @@ def test_a_film_of_a_day_is_taken_up_again(call, refused, tmp_path):
     assert len(again["there_before"]) == 3
     assert "--place and --date" in refused("animate", "-o", tmp_path)
     assert "give --place and --date" in refused("animate", "--date", "2026-01-18", "-o", tmp_path)
+
+
+def test_an_hour_that_comes_twice_is_told(call):
+    asked = ("sun", "--place", "45,8", "--zone", "Europe/Rome", "--time")
+    told = call(*asked, "2026-10-25T02:30").stderr
+    assert "2026-10-25T02:30:00+02:00 is taken; the other is 2026-10-25T02:30:00+01:00" in told
+    assert not any(call(*asked, time).stderr for time in ("2026-10-25T02:30+01:00", "2026-10-25T03:30"))

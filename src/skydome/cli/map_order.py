@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.map_file import FileOptions, file_facts, file_rows
-from skydome.cli.numbers_of_light import light_facts, light_rows, notes_row
+from skydome.cli.numbers_of_light import amount, light_facts, light_rows, notes_row
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
 
@@ -129,16 +129,21 @@ def order_rows(facts: dict[str, Any]) -> dict[str, str]:
     if "north_deg" in facts:
         rows["north"] = f"the map's north points {facts['north_deg']:g}° clockwise from true north"
     if "scene" in facts:
-        rows["scene"] = f"{facts['scene']} ({facts['renderer']}), the sun as a lamp"
+        rows["scene"] = f"{facts['scene']} ({facts['renderer']}), the {lit_by(facts)} as a lamp"
         rows["view exposure"] = f"{facts['view_exposure']:.3g} per cd m-2"
     if "lamp" in facts:
         lamp = facts["lamp"]
         toward = ", ".join(f"{value:.4f}" for value in lamp["toward"])
         rows["lamp"] = (
-            f"toward ({toward}), {lamp['illuminance_lx']:,.0f} lx facing it, {lamp['colour_temperature_K']:.0f} K, "
+            f"toward ({toward}), {amount(lamp['illuminance_lx'])} lx facing it, {lamp['colour_temperature_K']:.0f} K, "
             f"{lamp['angle_deg']:.3f}° across"
         )
     return rows | notes_row(facts["notes"])
+
+
+def lit_by(facts: dict[str, Any]) -> str:
+    """What the lamp of a scene is: the sun, or the moon when the sun has set."""
+    return "moon" if "moon" in facts["parameters"].get("parts", "").split(", ") else "sun"
 
 
 def space_named(name: str, layout: "Target") -> Any:

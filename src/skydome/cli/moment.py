@@ -112,8 +112,25 @@ def aware_time(text: str | None, zone: str | None) -> datetime:
     except ValueError as error:
         raise ValueError(str(error).replace("zone='Europe/Rome'", "--zone Europe/Rome")) from None
     if zone:
+        tell_of_two(text, utc.astimezone(as_zone(zone)))
         return utc.astimezone(as_zone(zone))
     return utc.astimezone(timezone(timedelta(seconds=-utc_offset_seconds(text))))
+
+
+def tell_of_two(text: str, first: datetime) -> None:
+    """A UserWarning where the clock of the time's zone showed a time without offset twice."""
+    import warnings
+
+    second = first.replace(fold=1)
+    if (
+        "[" in text
+        or datetime.fromisoformat(text.strip()).tzinfo is not None
+        or second.utcoffset() == first.utcoffset()
+    ):
+        return
+    warnings.warn(
+        f"the clock shows {text} twice: {first.isoformat()} is taken; the other is {second.isoformat()}", stacklevel=2
+    )
 
 
 def require_day(moment: Moment, model: str) -> None:

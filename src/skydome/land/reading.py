@@ -136,12 +136,14 @@ def read_geotiff(path: Path, unit: str | None, cells: int) -> Elevation:
             step = step_for(source.height, source.width, cells)
             shape = (max(2, source.height // step), max(2, source.width // step))
             band = source.read(1, out_shape=shape, masked=True, resampling=rasterio.enums.Resampling.average)
-            hole = np.ma.getmaskarray(band) | ~np.isfinite(band.filled(0).astype(np.float64))
+            with np.errstate(invalid="ignore"):  # damaged files hold signalling NaN, which are holes
+                raw = band.filled(0).astype(np.float64)
+            hole = np.ma.getmaskarray(band) | ~np.isfinite(raw)
             middle = source.xy(source.height // 2, source.width // 2)
             notes = (coarsened(step, shape),) if step > 1 else ()
             stretch = source.height / shape[0], source.width / shape[1]
             known = georeference(source, middle, stretch) | {"notes": notes}
-            return finished(band.filled(0).astype(np.float64), hole, unit or source.units[0], 1, known)
+            return finished(raw, hole, unit or source.units[0], 1, known)
 
 
 def georeference(source: Any, middle: tuple[float, float], stretch: tuple[float, float]) -> dict[str, Any]:

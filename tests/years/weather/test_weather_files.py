@@ -49,6 +49,13 @@ def test_typical_years_have_no_light_while_the_sun_is_down(name, altitude):
     assert light[~dark].sum() > 0
 
 
+def test_a_short_row_of_tm2_is_told(tmp_path):
+    lines = (DATA / "12839.tm2").read_text().splitlines()
+    (tmp_path / "cut.tm2").write_text("\n".join([*lines[:3], lines[3][:97], *lines[4:]]))
+    with pytest.raises(ValueError, match="line 4: a row needs 142 characters, got 97"):
+        read_weather(tmp_path / "cut.tm2")
+
+
 def test_tm2_dew_point_is_in_degrees():
     assert read_weather(DATA / "12839.tm2").dew_point[:3].tolist() == [15.0, 15.6, 15.6]
 
@@ -143,6 +150,8 @@ def test_missing_and_slightly_negative_values(tmp_path, make_epw):
         (lambda text: text.replace("2023,6,21", "2023,6,31"), "line 9: no such date as month 6, day 31"),
         (lambda text: text.replace("21,12,60", "21,25,60"), "hour must be 1-24, got 25"),
         (lambda text: text.replace("50,10,1,0", "50,ten,1,0"), "LOCATION must have latitude"),
+        (lambda text: text.replace("50,10,1,0", "50,10,1,nan"), "line 1: the elevation must be a finite number"),
+        (lambda text: text[::-1].replace("9?", "0,9?", 1)[::-1], "line 10: a row has 35 fields at most, got 36"),
         (lambda text: text.replace("PERIODS,1,1", "PERIODS,1,7"), "DATA PERIODS must tell"),
         (lambda text: text[10:], "line 1: not a weather file of a kind that is read here"),
         (lambda text: "\n".join(text.splitlines()[:8]), "at least one row"),

@@ -19,6 +19,7 @@ from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
 from skydome.skies.all_air.taught_air import same
 from skydome.skies.sky import Sky
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun
+from skydome.skies.suns.sun_disc import SunDisc
 from skydome.skies.validity import Check
 
 RINGS, COLUMNS = 16, 32
@@ -36,22 +37,32 @@ def parts_of(
 ) -> tuple[Any, Any, Any]:
     """What light does by an `action`: diffuse and direct on the horizontal, and direct normal, (...,) each."""
     discs, rest = discs_and_rest(sky)
+    require_energy(discs, rest)
     diffuse, direct, normal = 0.0, 0.0, 0.0
     for part in rest:
         inner, factor = part.single
-        if not isinstance(inner, PhysicalSky):
-            raise TypeError(f"{type(inner).__name__} does not know light of 300-2500 nm; PhysicalSky does")
+        assert isinstance(inner, PhysicalSky)
         if not beam_alone:
             held = inner if check is None or inner.check != "raise" else replace(inner, check=check)
             each = weights_of(inner.atmosphere, wavelengths, action) * factor
             diffuse = diffuse + diffuse_of(held, wavelengths) @ constant(each, inner.toward)
     for disc, factor in discs:
-        if not isinstance(disc, AtmosphereSun):
-            raise TypeError(f"{type(disc).__name__} does not know light of 300-2500 nm; SunDisc.of(PhysicalSky) does")
+        assert isinstance(disc, AtmosphereSun)
         beam = alone(disc.irradiance(wavelengths)) @ weights_of(disc.atmosphere, wavelengths, action) * factor
         height = np.maximum(alone(disc.sun)[..., 2], 0.0)
         direct, normal = direct + beam * height, normal + beam
     return diffuse, direct, normal
+
+
+def require_energy(discs: list[tuple[SunDisc, Any]], rest: list[Sky]) -> None:
+    """TypeError that names all that must be left out, where some part does not know 300-2500 nm."""
+    wide = [inner for inner, _ in (part.single for part in rest) if not isinstance(inner, PhysicalSky)]
+    unknown = [*wide, *(disc for disc, _ in discs if not isinstance(disc, AtmosphereSun))]
+    if unknown:
+        first = f"{type(unknown[0]).__name__} does not know light of 300-2500 nm"
+        known = "SunDisc.of(PhysicalSky)" if not wide else "PhysicalSky"
+        names = ", ".join(dict.fromkeys(type(part).__name__ for part in unknown))
+        raise TypeError(f"{first}; {known} does: leave out {names} (sd.sky_at by only=('sky', 'sun'))")
 
 
 def diffuse_of(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:

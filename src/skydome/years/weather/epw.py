@@ -1,5 +1,6 @@
 """EnergyPlus weather files (EPW): rows are labelled by the end of their interval, in standard time."""
 
+import math
 from os import PathLike
 
 import numpy as np
@@ -11,7 +12,7 @@ from skydome.years.weather.text import Cells, Text, cells_of, cells_under, text_
 from skydome.years.weather.weather import Weather
 
 MOST_HEADER_LINES = 60
-LEAST_FIELDS = 16
+LEAST_FIELDS, USUAL_FIELDS = 16, 35
 FIELDS = {
     "year": 0, "month": 1, "day": 2, "hour": 3, "minute": 4, "dew point": 7, "global horizontal": 13,
     "direct normal": 14, "diffuse horizontal": 15,
@@ -36,6 +37,7 @@ def read_epw(path: "str | PathLike[str] | Text", year: int | None = None) -> Wea
     site = location(text.first, text.name)
     first, periods = data_periods(text)
     per_hour = records_per_hour(periods, text.name, first)
+    require_no_shift(text, first)
     cells = cells_under(text, first, FIELDS, LEAST_FIELDS)
     months, days = cells.whole("month"), cells.whole("day")
     check_dates(months, days, lambda row: f"{cells.name}, line {cells.line[row]}")
@@ -44,6 +46,22 @@ def read_epw(path: "str | PathLike[str] | Text", year: int | None = None) -> Wea
     weather = weather_from(cells, COLUMNS, site, ends, 3600 / per_hour)
     tell_missing_rows(cells.name, ends, periods[5:], per_hour)
     return weather
+
+
+def require_no_shift(text: Text, first: int) -> None:
+    """ValueError with the line of the first row that has more fields than the format, and than the row on top."""
+    rows = text.lines[first:]
+    most = max(USUAL_FIELDS, fields_in(rows[0]) if rows else 0)
+    for number, line in enumerate(rows, start=first + 1):
+        count = fields_in(line)
+        if count > most:
+            raise ValueError(f"{text.name}, line {number}: a row has {most} fields at most, got {count}")
+
+
+def fields_in(line: str) -> int:
+    """How many fields a row has, empty ones at its end left aside."""
+    held = line.rstrip(", \t")
+    return len(cells_of(held)) if '"' in held else held.count(",") + 1
 
 
 def location(line: str, name: str) -> Site:
@@ -66,6 +84,8 @@ def location(line: str, name: str) -> Site:
 
 def place_at(latitude: float, longitude: float, altitude: float, utc_offset: float, where: str) -> Place:
     """The place; ValueError that says `where` for one that cannot be, with its hours east of UTC."""
+    if not math.isfinite(altitude):
+        raise ValueError(f"{where}: the elevation must be a finite number of metres, got {altitude:g}")
     if not -14 <= utc_offset <= 14:
         raise ValueError(f"{where}: the time zone must lie in [-14, 14] hours, got {utc_offset:g}")
     try:

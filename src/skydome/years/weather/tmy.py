@@ -27,6 +27,9 @@ TM2_FIELDS = {
 }  # fmt: skip
 """Where the characters of a number stand in a row (Marion and Urban 1995, table 3-2)."""
 
+TM2_WIDTH = 142
+"""Characters of a row, of which the last are the days since snow fell, with their flags."""
+
 TM2_COLUMNS = Columns("direct normal", "diffuse horizontal", "global horizontal", "dew point")
 
 
@@ -110,10 +113,9 @@ def read_tm2(path: "str | PathLike[str] | Text", year: int | None = None) -> Wea
 def tm2_cells(text: Text) -> Cells:
     """The fields of the rows, by where their characters stand; tenths of a degree as degrees."""
     kept = [(number, line) for number, line in enumerate(text.lines[1:], start=2) if line.strip("\x1a\x00\t\f ")]
-    longest = max(end for _, end in TM2_FIELDS.values())
     for number_, line in kept:
-        if len(line) < longest:
-            raise ValueError(f"{text.name}, line {number_}: a row needs {longest} characters or more, got {len(line)}")
+        if len(line) < TM2_WIDTH:
+            raise ValueError(f"{text.name}, line {number_}: a row needs {TM2_WIDTH} characters, got {len(line)}")
     columns = {name: [line[first:last] for _, line in kept] for name, (first, last) in TM2_FIELDS.items()}
     columns["dew point"] = [in_degrees(cell) for cell in columns["dew point"]]
     lines = np.array([number for number, _ in kept], dtype=np.int64)
