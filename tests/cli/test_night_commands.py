@@ -29,3 +29,10 @@ def test_an_hour_that_comes_twice_is_told(call):
     told = call(*asked, "2026-10-25T02:30").stderr
     assert "2026-10-25T02:30:00+02:00 is taken; the other is 2026-10-25T02:30:00+01:00" in told
     assert not any(call(*asked, time).stderr for time in ("2026-10-25T02:30+01:00", "2026-10-25T03:30"))
+
+
+def test_the_lamp_of_a_night_is_the_moon(call, tmp_path):
+    night = ("--place", "45,8", "--time", "2026-01-03T23:00+01:00", "--height", "16")
+    shown = call("render", *night, "--scene", tmp_path / "n.usda", "-o", tmp_path / "n.exr").stdout
+    assert "the moon as a lamp" in " ".join(shown.split())
+    assert "0.213 lx facing it" in " ".join(shown.split())

@@ -55,3 +55,12 @@ def test_skies_that_know_too_little_are_refused():
         sd.uv_index(sd.HosekWilkie(sd.direction(0.0, 0.5), 3.0))
     with pytest.raises(TypeError, match="SunDisc does not know"):
         sd.broadband(sd.PhysicalSky(sd.direction(0.0, 0.5)) + sd.SunDisc(sd.direction(0.0, 0.5), 3.0))
+
+
+def test_what_a_night_must_leave_out_is_named():
+    night = sd.sky_at(sd.Place(50.0, 8.0), "2026-01-03T22:00Z")
+    words = "leave out Planets, Stars, Starlight, ZodiacalLight, Airglow, from a sd.sky_at by its without"
+    with pytest.raises(TypeError, match=words):
+        sd.broadband(night)
+    known = night.without("planets", "stars", "starlight", "zodiacal light", "airglow")
+    assert 0 < sd.broadband(known).global_horizontal < 0.01

@@ -61,8 +61,10 @@ def require_energy(discs: list[tuple[SunDisc, Any]], rest: list[Sky]) -> None:
     if unknown:
         first = f"{type(unknown[0]).__name__} does not know light of 300-2500 nm"
         known = "SunDisc.of(PhysicalSky)" if not wide else "PhysicalSky"
+        some = len(unknown) < len(discs) + len(rest)
         names = ", ".join(dict.fromkeys(type(part).__name__ for part in unknown))
-        raise TypeError(f"{first}; {known} does: leave out {names} (sd.sky_at by only=('sky', 'sun'))")
+        out = f": leave out {names}, from a sd.sky_at by its without('planets', ...)" if some else ""
+        raise TypeError(f"{first}; {known} does{out}")
 
 
 def diffuse_of(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
