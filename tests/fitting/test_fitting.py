@@ -185,6 +185,8 @@ def test_a_small_noisy_patch_far_from_the_sun_tells_little():
         (lambda v, o: sd.fit(sd.Preetham, -v, o), "samples above the horizon, got 0"),
         (lambda v, o: sd.fit(sd.Preetham, v, o[:-1]), r"observed must have shape \(50,\) or \(50, 3\)"),
         (lambda v, o: sd.fit(sd.Preetham, v, o * np.nan), "observed must be finite where it counts"),
+        (lambda v, o: sd.fit(sd.Preetham, v, np.zeros((50, 3))), "observed must have light: above 0 somewhere"),
+        (lambda v, o: sd.fit(sd.Preetham, v, 0 * o - 5), "got -5 to -5 with a mean of -5"),
         (lambda v, o: sd.fit(sd.Preetham, v, o, mask=np.ones(50)), "mask must be boolean"),
         (lambda v, o: sd.fit(sd.Preetham, v, o, mask=np.ones(7, bool)), r"mask must have shape \(50,\), got \(7,\)"),
         (lambda v, o: sd.fit(sd.Preetham, v, o, weights=-o), "weights must be finite and not negative"),
@@ -227,3 +229,11 @@ def test_air_of_the_physical_sky():
     found = sd.fit(sd.PhysicalSky, views, seen, free=free, initial={"sun": low}, space=None)
     for name in free:
         assert found.parameters[name] == pytest.approx(air[name], rel=0.03), name
+
+
+def test_a_number_at_the_end_of_its_range_is_told():
+    """Preetham's haze ends at turbidity 6; a sky of that much haze, and brighter still."""
+    views, sun = sd.direction(np.arange(60) * 2.4 % 6.283, np.linspace(0.1, 1.5, 60)), sd.direction(2.0, 0.7)
+    hazier = 1.3 * sd.Preetham(sun, 6.0).luminance(views)
+    with pytest.warns(UserWarning, match="the fit of Preetham ended at a limit: turbidity"):
+        sd.fit(sd.Preetham, views, hazier, initial={"sun": sun}, free=("turbidity",))

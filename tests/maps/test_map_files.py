@@ -355,3 +355,21 @@ def test_colours_outside_the_space_move_toward_white(tmp_path):
     np.testing.assert_array_equal(load(tmp_path / "sky.exr").pixels[inside], original.pixels[inside])
     original.save(tmp_path / "sky.exr", gamut="none")
     np.testing.assert_array_equal(load(tmp_path / "sky.exr").pixels, original.pixels)
+
+
+def test_light_below_zero_is_told_or_refused(tmp_path):
+    """A difference of skies is light below 0 where the other is brighter: black in files, which must not be silent."""
+    pixels = np.full((8, 16, 3), -2330.0, np.float32)
+    for name in ("sky.exr", "sky.hdr", "sky.png"):
+        with pytest.raises(
+            ValueError, match="the light of a map must be above 0 somewhere, got none for sky"
+        ) as caught:
+            EnvironmentMap(pixels).save(tmp_path / name)
+        assert one_line(caught)
+        assert not (tmp_path / name).exists()
+    EnvironmentMap(pixels).save(tmp_path / "kept.exr", gamut="none")
+    np.testing.assert_array_equal(load(tmp_path / "kept.exr").pixels, pixels)
+    pixels[:4] = 100.0
+    with pytest.warns(UserWarning, match="50.00% of the texels have light below 0, black in half.hdr"):
+        EnvironmentMap(pixels).save(tmp_path / "half.hdr")
+    EnvironmentMap(np.zeros_like(pixels)).save(tmp_path / "night.exr")

@@ -23,6 +23,9 @@ MOST_SAMPLES = 40_000
 FEW_SAMPLES = 1500
 """Samples used to try the starts."""
 
+NEAR = 1e-4
+"""Share of its span by which a number that ends at a limit may be away from it."""
+
 FAINT = 0.02
 """Least light by which differences are divided, over the mean: dark places count no more than that."""
 
@@ -162,11 +165,26 @@ def report(
     message = str(answer.message)
     if degenerate:
         message = f"the samples do not determine {', '.join(degenerate)}; fix one, or show more of the sky"
+    if stuck := at_limits(problem, x, degenerate):
+        warnings.warn(f"the fit of {problem.model.__name__} ended at a limit: {', '.join(stuck)}", stacklevel=3)
     return Fit(
         sky, parameters, problem.numbers, covariance, errors_by_name(problem, covariance, degenerate),
         samples.residual(sky), float(np.sqrt(np.mean(difference**2))), float(np.sqrt(np.mean(answer.fun**2))),
         bool(answer.status > 0 and not degenerate), not degenerate, degenerate, message,
     )  # fmt: skip
+
+
+def at_limits(problem: Problem, x: np.ndarray, degenerate: tuple[str, ...]) -> list[str]:
+    """The parameters that stand at an end of their range, with their numbers; not the sun, nor what is open anyhow."""
+    each = zip(problem.numbers, problem.unknowns, x, strict=True)
+    return [
+        f"{name} {number:.4g}"
+        for name, unknown, number in each
+        if name in problem.free
+        and name not in degenerate
+        and np.isfinite(unknown.high)  # not levels, which have none
+        and min(number - unknown.low, unknown.high - number) < NEAR * unknown.span
+    ]
 
 
 def fit(
@@ -191,7 +209,8 @@ def fit(
 
     Bounded Levenberg-Marquardt (scipy's trust region), from a coarse grid over suns, the brightest part first, and
     turbidities. ValueError where samples are fewer than unknowns or nothing is left; where the samples cannot tell, the
-    Fit says `determined=False` and which parameters.
+    Fit says `determined=False` and which parameters. What ends at a limit
+    of its range is told by a warning.
 
     >>> import skydome as sd
     >>> truth = sd.Preetham(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.3)

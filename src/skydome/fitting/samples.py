@@ -75,11 +75,21 @@ def samples_of(directions: Any, observed: Any, mask: Any, weights: Any, space: R
     channels = values.reshape(used.size, -1)
     if not np.isfinite(channels[used.reshape(-1)]).all():
         raise ValueError("observed must be finite where it counts, got NaN or infinity; leave them out by mask")
+    require_some_light(channels[used.reshape(-1)])
     given = None if weights is None else broadcast(weights, leading, "weights", float).reshape(-1)
     if given is not None and not (np.isfinite(given).all() and (given >= 0).all()):
         raise ValueError("weights must be finite and not negative")
     flat = values.reshape(-1) if values.shape == leading else values.reshape(-1, 3)
     return Observations(toward.reshape(-1, 3), flat, used.reshape(-1), given, space, shape, picture)
+
+
+def require_some_light(channels: np.ndarray) -> None:
+    """ValueError for observed light (N, channels) that is nowhere above 0, or below it on the whole."""
+    if channels.size and not (channels.max() > 0 and channels.mean() > 0):
+        raise ValueError(
+            f"observed must have light: above 0 somewhere and on the whole, got {channels.min():g} to "
+            f"{channels.max():g} with a mean of {channels.mean():g}"
+        )
 
 
 def broadcast(value: Any, shape: tuple[int, ...], name: str, kind: type) -> np.ndarray:

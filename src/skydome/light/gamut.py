@@ -14,6 +14,20 @@ def outside(rgb: np.ndarray) -> np.ndarray:
     return low
 
 
+def share_below_black(rgb: np.ndarray, space: RGBSpace) -> float:
+    """Share of the colours of a picture (H, W, 3) whose luminance is below 0, by more than rounding (1e-6 of the most).
+
+    >>> from skydome.light.colour import SRGB
+    >>> share_below_black(np.array([[[1.0, 1.0, 1.0], [-0.5, -0.5, -0.5]]]), SRGB)
+    0.5
+    """
+    weights, below = space.to_xyz[1], 0
+    rounding = 1e-6 * max(float(rgb.max(initial=0.0)), -float(rgb.min(initial=0.0)))
+    for k in range(0, len(rgb), ROWS):
+        below += int((rgb[k : k + ROWS] @ weights < -rounding).sum()) if rgb[k : k + ROWS].min() < -rounding else 0
+    return float(below / (rgb.shape[0] * rgb.shape[1]))
+
+
 def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
     """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none, else a copy.
 
