@@ -1,7 +1,6 @@
 """Maps to files: which layout, which scale, and what the header says about the light, the place and the time."""
 
 import math
-import warnings
 from dataclasses import replace
 from datetime import datetime
 from os import PathLike
@@ -15,7 +14,7 @@ from skydome.ground.arguments import require_path
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.gamut import share_below_black, within_gamut
+from skydome.light.gamut import within_gamut
 from skydome.light.tone import Curve
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
@@ -65,7 +64,7 @@ def save(
     if layout is not None or height is not None:
         environment = environment.resampled(layout.projection if layout else environment.projection, height)
     if suffix != ".exr" or gamut != "none":
-        tell_of_negative_light(environment, path)
+        environment.tell_of_negative_light(Path(path).name)
     if suffix == ".png":
         png.write(path, preview(environment, exposure, curve), provenance(environment, layout))
         return
@@ -124,20 +123,6 @@ def require_choices(
             raise ValueError(f"{what} must be finite and more than 0, got {value:g}")
     if white_luminance is not None:
         require("white luminance", white_luminance, WHITE_IN_FILE)
-
-
-def tell_of_negative_light(environment: MapPixels, path: str | PathLike[str]) -> None:
-    """A warning where texels below 0 turn black in a file; ValueError where nothing else is in the map."""
-    share = share_below_black(environment.pixels, environment.space)
-    if not share:
-        return
-    name = Path(path).name
-    if not environment.pixels.max() > 0:
-        raise ValueError(
-            f'the light of a map must be above 0 somewhere, got none for {name}; .exr with gamut="none" has it'
-        )
-    told = f'{share:.2%} of the texels have light below 0, black in {name}; .exr with gamut="none" keeps it'
-    warnings.warn(told, stacklevel=4)
 
 
 def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut) -> MapPixels:

@@ -1,5 +1,6 @@
 """What a map consists of: pixels with a layout, a colour space and a unit."""
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, Self
@@ -8,6 +9,7 @@ import numpy as np
 
 from skydome.ground.limits.ranges import Bounded, Range
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.light.gamut import share_below_black
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.projection import Projection
 from skydome.maps.resample import density, resample
@@ -54,6 +56,17 @@ class MapPixels(Bounded):
         weights = (self.space.to_xyz[1] * self.white_luminance).astype(self.pixels.dtype)
         brightness: np.ndarray = self.pixels @ weights
         return brightness
+
+    def tell_of_negative_light(self, name: str) -> None:
+        """A warning where texels below 0 turn black in the file `name`; ValueError where nothing else is in the map."""
+        share = share_below_black(self.pixels, self.space)
+        kept = '.exr with gamut="none"'
+        if share and not self.pixels.max() > 0:
+            raise ValueError(f"the light of a map must be above 0 somewhere, got none for {name}; {kept} has it")
+        if share:
+            warnings.warn(
+                f"{share:.2%} of the texels have light below 0, black in {name}; {kept} keeps it", stacklevel=4
+            )
 
     def in_space(self, space: RGBSpace) -> Self:
         """The same light in another RGB space; itself where it is in that one."""
