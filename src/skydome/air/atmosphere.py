@@ -15,7 +15,7 @@ from skydome.air.named_airs import BACKGROUND_DEPTH, CONTINENTAL, PREETHAM_HAZE,
 from skydome.air.phase_laws import CornetteShanks, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential, Profile
 from skydome.ground.arrays import Array
-from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, Bounded, Range
+from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, HeldBySky, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
 from skydome.ground.units import EARTH_RADIUS
@@ -47,7 +47,7 @@ DARK_GREEN = dark_green()
 
 
 @dataclass(frozen=True)
-class Atmosphere(NamedAirs, Bounded):
+class Atmosphere(NamedAirs, HeldBySky):
     """Constituents over a ground of `albedo` (number or `Spectrum`) on a planet of `radius`, m.
 
     `height` is the top of the air above the ground, m. `sunlight`: a `Spectrum` of the irradiance above the air,

@@ -12,7 +12,7 @@ from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, STANDARD_1976, Exponential, Profile
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating
-from skydome.ground.limits.ranges import SHARE, Bounded, Range
+from skydome.ground.limits.ranges import SHARE, HeldBySky, Range
 from skydome.light.spectrum import Spectrum
 
 DEPTH = Range(0.0, 1e6)
@@ -34,7 +34,7 @@ def along(factors: Array, number: Any) -> Array:
     return constant(factors, number) * number[..., None]
 
 
-class Constituent(Bounded, ABC):
+class Constituent(HeldBySky, ABC):
     """A constituent: vertical optical depth, profile, share scattered, phase function.
 
     Depths, columns, albedos and exponents may be arrays (...,) of any library, for the skies that take many airs at

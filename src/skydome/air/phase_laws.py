@@ -20,12 +20,12 @@ from skydome.air.phase_functions import (
 )
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, is_numpy
-from skydome.ground.limits.ranges import Range, require
+from skydome.ground.limits.ranges import HeldBySky, Range, require
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
 
 
-class PhaseLaw(ABC):
+class PhaseLaw(HeldBySky, ABC):
     """A phase function, sr-1, whose integral over the sphere is 1, at any wavelength."""
 
     wavelengths_alike: ClassVar[bool] = True

@@ -1,5 +1,6 @@
 """Integrals of the dome: what light falls on a plane."""
 
+from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any
 
@@ -8,7 +9,7 @@ import numpy as np
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, Constant, at_least, constant, floating, is_array, is_numpy, namespace
 from skydome.ground.directions import ZENITH, checked_directions
-from skydome.ground.limits.ranges import SHARE, require, require_one
+from skydome.ground.limits.ranges import SHARE, HeldBySky, require, require_one
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
@@ -54,14 +55,24 @@ def extended(parts: list[Sky]) -> list[Sky]:
 
 
 def own_array(value: Any) -> Any:
-    """The first floating array among a sky's parameters, whose library, dtype and device its light has, or None."""
-    if isinstance(value, Sky):
-        return next(
-            (found for item in fields(value) if (found := own_array(getattr(value, item.name))) is not None), None
-        )
-    if isinstance(value, tuple | list):
-        return next((found for item in value if (found := own_array(item)) is not None), None)
-    return floating(value) if is_array(value) and not isinstance(value, np.generic | Constant) else None
+    """The floating array among a sky's parameters whose library, dtype and device its light has, or None.
+
+    The first of another library than NumPy, if there is one, as the air's; else the first.
+    """
+    found = list(arrays_of(value))
+    return next((array for array in found if not is_numpy(array)), found[0] if found else None)
+
+
+def arrays_of(value: Any) -> Iterator[Any]:
+    """The floating arrays among a sky's parameters and those of its air."""
+    if isinstance(value, (Sky, HeldBySky)):
+        for item in fields(value):  # type: ignore[arg-type]
+            yield from arrays_of(getattr(value, item.name))
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from arrays_of(part)
+    elif is_array(value) and not isinstance(value, np.generic | Constant):
+        yield floating(value)
 
 
 @outer_labels("lx")
@@ -95,9 +106,8 @@ def illuminance(sky: Sky, normal: Any = ZENITH, *, ground_albedo: Any = 0.0) -> 
         beam = disc.illuminance(normals)
         if tuple(beam.shape)[-1:] != (len(normals),):
             got = tuple(beam.shape)
-            raise ValueError(
-                f"leading shapes must fit, got a sun of {got}; give many suns an axis of 1: sun[:, None, :]"
-            )
+            told = f"leading shapes must fit, got {len(normals)} planes and light of a sun's disc of shape {got}"
+            raise ValueError(f"{told}; give many suns an axis of 1: sun[:, None, :], many levels too: level[:, None]")
         total = total + beam * factor
     if ground_albedo:
         ground = illuminance(sky, constant(ZENITH, normals))

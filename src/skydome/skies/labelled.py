@@ -10,6 +10,7 @@ import numpy as np
 
 from skydome.ground.arrays import is_compiling, is_labelled
 from skydome.ground.labels import Axis, Door, Last, last_of
+from skydome.ground.limits.ranges import HeldBySky
 from skydome.skies.validity import Ranged
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -93,11 +94,16 @@ def answered(
     return door.labelled(light, last, name, unit)
 
 
+def directions_of(value: LabelledLight | HeldBySky) -> tuple[str, ...]:
+    """Names of the parameters that are directions: of a sky; its air has none."""
+    return value.directions_held if isinstance(value, LabelledLight) else ()
+
+
 def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
-    """The labelled parameters of a sky, and how many of their last axes are not labels of the light."""
-    if isinstance(value, LabelledLight):
-        for item in fields(value):  # not what the sky keeps beside them: that may hold the sky itself
-            yield from labelled_parts(getattr(value, item.name), int(item.name in value.directions_held))
+    """The labelled parameters of a sky and its air, and how many of their last axes are not labels of the light."""
+    if isinstance(value, (LabelledLight, HeldBySky)):
+        for item in fields(value):  # type: ignore[arg-type]  # not what the sky keeps beside them: it may hold the sky
+            yield from labelled_parts(getattr(value, item.name), int(item.name in directions_of(value)))
     elif isinstance(value, (tuple, list)):
         for part in value:
             yield from labelled_parts(part, core)
@@ -108,11 +114,11 @@ def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
 def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Kind:
     """A sky, or a parameter of one, with `change(array, core)` in place of its arrays; itself where nothing changes."""
     result: Any
-    if isinstance(value, LabelledLight):
-        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}
-        new = {name: changed(old, change, int(name in value.directions_held)) for name, old in held.items()}
+    if isinstance(value, (LabelledLight, HeldBySky)):
+        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}  # type: ignore[arg-type]
+        new = {name: changed(old, change, int(name in directions_of(value))) for name, old in held.items()}
         moved = {name: part for name, part in new.items() if part is not held[name]}
-        return cast(Kind, replace(value, **moved) if moved else value)
+        return cast(Kind, replace(value, **moved) if moved else value)  # type: ignore[type-var]
     if isinstance(value, (tuple, list)):
         parts = [changed(part, change, core) for part in value]
         same = all(new is old for new, old in zip(parts, value, strict=True))

@@ -11,7 +11,7 @@ from skydome.air.cross_sections import STANDARD_PRESSURE
 from skydome.air.gases.bands import MIXED, WATER, absorption_at
 from skydome.air.profiles import STANDARD_1976, Exponential, Profile
 from skydome.ground.arrays import Array, floating
-from skydome.ground.limits.ranges import Bounded, Range
+from skydome.ground.limits.ranges import HeldBySky, Range
 
 STANDARD_WATER = 1.42
 """Precipitable water of the US Standard Atmosphere 1976, cm (Gueymard 1995; ASTM G173-03 has 1.416)."""
@@ -21,7 +21,7 @@ WATER_PROFILE: Profile = Exponential(2000.0)
 
 
 @dataclass(frozen=True)
-class Gases(Bounded):
+class Gases(HeldBySky):
     """Water vapour, cm of precipitable `water`, and the mixed gases of air under a surface `pressure`, Pa.
 
     Oxygen and carbon dioxide above all. Absorption by the bands of Bird and Riordan 1986; they saturate, so that there

@@ -139,3 +139,7 @@ class Bounded:
         for item in fields(cast(Any, self)):
             if item.type in ONE_NUMBER and item.name in self.all_bounds():
                 require_one(item.name, getattr(self, item.name), whole=item.type in ONE_NUMBER[2:])
+
+
+class HeldBySky(Bounded):
+    """A dataclass that a sky holds, as its air: arrays among its numbers count as the sky's own."""

@@ -8,11 +8,13 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.bending import REFRACTIVITY
+from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.single_scattering import as_seen
+from skydome.skies.all_air.taught_air import same
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.suns.sun_disc import limb_darkening, limb_mean
 
@@ -105,6 +107,7 @@ class BentSun(AtmosphereSun):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
         directions = checked_directions(directions, like=self.sun)
+        broadcast_shape(directions=directions.shape[:-1], sun=self.standing.shape[:-1])
         true, sine = self.unbent(directions)
         off = np.linalg.norm(true - self.standing, axis=-1) / (2 * np.sin(self.angular_radius / 2))
         light = self.left(sine, wavelengths) / (limb_mean(wavelengths) * np.pi * np.sin(self.angular_radius) ** 2)
@@ -120,3 +123,21 @@ class BentSun(AtmosphereSun):
         elevation = np.arcsin(sine)[..., None] + step
         true = elevation - self.tables.turned(np.zeros_like(elevation), np.sin(elevation))
         return np.asarray((true[..., 1] - true[..., 0]) / self.angular_radius)
+
+
+def centre_illuminance(air: Atmosphere, standing: Array) -> Array:
+    """Illuminance of the sun on a plane that faces it, lx, (...,), by the ray of its centre: of many airs.
+
+    `standing` (..., 3): where suns stand without air. Light of wavelengths `AtmosphereSun.bands`; 0 when they have set.
+    """
+    tables, bands = ColumnTables.of(air), AtmosphereSun.bands
+    sine = as_seen(tables, standing)[..., 2]
+    ground, rising = namespace(sine).zeros_like(sine), at_least(sine, 0.0)
+    columns = tables.toward(ground, rising)
+    each = [same(part.depth(bands), sine) * columns[..., k, None] for k, part in enumerate(air.constituents)]
+    light = namespace(sine).exp(-sum(each[1:], each[0])) * constant(air.sun_at(bands), sine)
+    if air.gases is not None:
+        columns = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(ground, rising)
+        light = light * air.gases.transmittance(columns[..., 0], columns[..., 1], bands)
+    level = (light @ constant(xyz_weights(bands), light))[..., 1]
+    return namespace(level).where(standing[..., 2] > float(np.sin(tables.bent.horizon[0])), level, level * 0)

@@ -6,7 +6,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.gases import Gases
-from skydome.ground.arrays import Array, limited
+from skydome.ground.arrays import Array, is_numpy, limited
 from skydome.skies.all_air.blocks import Block, part_of
 from skydome.skies.all_air.deep_ozone import held_depths
 from skydome.skies.all_air.taught_air import TAUGHT, Optics, optics, same
@@ -49,3 +49,10 @@ class LitAir(NamedTuple):
         return self._replace(
             numbers=Optics(*(v.astype(np.float32) for v in self.numbers)), depths=depths, shares=shares
         )
+
+
+def is_one(air: Atmosphere, like: Array) -> bool:
+    """Whether an atmosphere's numbers are single ones, and like the array those of NumPy."""
+    gases = () if air.gases is None else (air.gases.water, air.gases.pressure)
+    numbers = optics(air, np.array([550.0]), like)
+    return is_numpy(like) and not any(map(np.ndim, gases)) and all(np.ndim(number) == 1 for number in numbers)

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import Array
 from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.fast import Once, chosen, compiled
@@ -67,7 +68,8 @@ def light_of_many(
     ending: SkyColours | SkySpectrum,
 ) -> np.ndarray:
     """What `ending` makes of light, some views of some suns at a time, in NumPy."""
-    shape = np.broadcast_shapes(sun.shape[:-1], views.shape[:-1], *(depth.shape[:-1] for depth in lit.depths))
+    airs = {f"air {k + 1}": depth.shape[:-1] for k, depth in enumerate(lit.depths) if depth.ndim > 1}
+    shape = broadcast_shape(directions=views.shape[:-1], sun=sun.shape[:-1], **airs)
     found, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
     for block in by_kind(sun, shape, once is compiled):
         here, toward, air = part_of(sun, block), part_of(views, block), lit.part(block)

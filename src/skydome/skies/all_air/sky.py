@@ -13,12 +13,12 @@ from skydome.ground.arrays import Array, constant, floating, is_numpy, safe_divi
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.all_air.bent_sun import BentSun
+from skydome.skies.all_air.bent_sun import BentSun, centre_illuminance
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, in_arrays
 from skydome.skies.all_air.heights import seen_from
-from skydome.skies.all_air.lit_air import LitAir
+from skydome.skies.all_air.lit_air import LitAir, is_one
 from skydome.skies.all_air.many_suns import LOWEST, light_of_many
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
 from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
@@ -127,14 +127,14 @@ class PhysicalSky(StokesSky):
 
     def own_disc(self, angular_radius: Any) -> BentSun | None:
         """The sun's disc through the same air; None for many airs, and in other libraries than NumPy."""
-        one = is_numpy(self.toward) and all(part.depth(NODES).ndim == 1 for part in self.atmosphere.constituents)
-        return BentSun.through(self.atmosphere, self.toward, angular_radius) if one else None
+        air, sun = self.atmosphere, self.toward
+        return BentSun.through(air, sun, angular_radius) if is_one(air, sun) else None
 
     @property
     def direct_normal_illuminance(self) -> Array | float:
         """Illuminance of the sun through this air on a plane that faces it, lx, shape (...,); 0 when it has set."""
         disc = self.own_disc(MEAN_RADIUS / self.sun_distance)
-        return super().direct_normal_illuminance if disc is None else disc.normal_xyz[..., 1]
+        return centre_illuminance(self.atmosphere, self.toward) if disc is None else disc.normal_xyz[..., 1]
 
     @property
     def is_day(self) -> Array:
@@ -230,8 +230,8 @@ class PhysicalSky(StokesSky):
 
     @cached_property
     def for_maps(self) -> Sky:
-        """The colours of one sun held in a table; the sky itself where it has many suns, or is not NumPy's."""
-        return self if not (self.one_sun and is_numpy(self.toward)) else self.held()
+        """The colours of one sun and air held in a table; the sky itself where those are many, or not NumPy's."""
+        return self.held() if self.one_sun and is_one(self.atmosphere, self.toward) else self
 
     def held(self) -> HeldSky:
         """The colours of one sun held in a table, for maps: ValueError for many suns."""

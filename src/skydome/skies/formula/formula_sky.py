@@ -86,6 +86,8 @@ class FormulaSky(SunlitSky):
         if not (is_numpy(directions) and is_numpy(self.sun) and is_numpy(coefficients)):
             if out is not None:
                 raise TypeError(f"out is for NumPy arrays, got directions of {type(directions).__name__}")
+            if not is_compiling():
+                self.light_shape(floating(directions), coefficients, quantity)
             return quantity.of(self.channels(directions, coefficients))
         directions = floating(directions)
         wanted = directions.dtype if out is None else out.dtype if is_array(out) else None

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from skydome.ground.arguments import numbers, require_kind
+from skydome.ground.arguments import broadcast_shape, numbers, require_kind
 from skydome.ground.arrays import (
     Array,
     at_least,
@@ -79,8 +79,7 @@ def limb_mean(wavelengths: Any) -> np.ndarray:
 
 def radius_of(sky: SunlitSky) -> Any:
     """Angular radius of the sun at the distance that a sky knows, rad; at 1 AU where it knows none."""
-    distance = sky.sun_distance
-    return MEAN_RADIUS if distance is None else radius_at(distance)
+    return MEAN_RADIUS if sky.sun_distance is None else radius_at(sky.sun_distance)
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,14 +127,15 @@ class SunDisc(SunlitSky, SpectralSky):
         for part in sky.parts:
             if (lit := part.sunlit) is None:
                 continue
-            own = lit.own_disc(radius_of(lit) if angular_radius is None else angular_radius)
-            if isinstance(own, cls) and turbidity is None:
+            radius = radius_of(lit) if angular_radius is None else angular_radius
+            if isinstance(own := lit.own_disc(radius), cls) and turbidity is None:
                 return own
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
-                known = 3.0 if known is None else known
-                radius = radius_of(lit) if angular_radius is None else angular_radius
-                return cls(lit.sun, known, radius, direct_normal_illuminance=level, check=part.check)
+                sun = lit.sun if is_numpy(level) or not is_numpy(lit.sun) else constant(lit.sun, level)
+                return cls(
+                    sun, 3.0 if known is None else known, radius, direct_normal_illuminance=level, check=part.check
+                )
         name = type(sky).__name__
         raise TypeError(f"{name} does not tell how bright its sun is; give skydome.SunDisc(sun, turbidity=...)")
 
@@ -222,6 +222,7 @@ class SunDisc(SunlitSky, SpectralSky):
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
         xp = namespace(directions, self.sun)
         directions = checked_directions(directions, like=self.sun)
+        broadcast_shape(directions=directions.shape[:-1], sun=np.shape(self.sun)[:-1])
         mu, inside = self.mu(directions)
         light = self.centre_radiance(wavelengths) * self.factor[..., None] * limb_darkening(mu, wavelengths)
         light = xp.where(inside[..., None], light, xp.zeros_like(light))
@@ -238,8 +239,7 @@ class SunDisc(SunlitSky, SpectralSky):
             raise ValueError(f"points need suns of shape (3,) or (..., 1, 3), got {tuple(sun.shape)}")
         xp = namespace(sun)
         k = np.arange(count)
-        square = (k + 0.5) / count
-        turn = k * np.pi * (3 - np.sqrt(5.0))
+        square, turn = (k + 0.5) / count, k * np.pi * (3 - np.sqrt(5.0))
         sine = constant(np.sqrt(square), sun) * xp.sin(floating(self.angular_radius, like=sun))
         u, v = tangent_frame(sun)
         across = (sine * constant(np.cos(turn), sun))[..., None], (sine * constant(np.sin(turn), sun))[..., None]
