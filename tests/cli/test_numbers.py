@@ -230,7 +230,7 @@ def test_visibility_is_the_other_way_to_say_turbidity(facts, when, refused):
     assert "haze: one sees 20 km, turbidity 3.3" in seen["notes"]
     for words, message in (
         (("--visibility", "20km", "--turbidity", "3"), "give one of them"),
-        (("--visibility", "400km"), "meteorological range"),
+        (("--visibility", "400km"), "--visibility must lie in"),
         (("--visibility", "far"), "such as 20km"),
     ):
         assert message in refused("light", *when, "--model", "preetham", *words)
