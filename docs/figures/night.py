@@ -62,7 +62,9 @@ def skies() -> None:
         corner = (k % 3 * SIZE, k // 3 * (SIZE + 18))
         page.paste(dome(place, time, lamp), (corner[0], corner[1] + 18))
         draw.text((corner[0] + 6, corner[1] + 3), title, fill=(220, 220, 220))
-    page.quantize(256, kmeans=1, dither=Image.Dither.NONE).save(Path(__file__).with_name("night.png"), optimize=True)
+    palette = page.quantize(256, kmeans=1)
+    small = page.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
+    small.save(Path(__file__).with_name("night.png"), optimize=True)
 
 
 def light() -> None:
