@@ -25,7 +25,7 @@ class AtmosphereSun(SunDisc):
     >>> sun, air = sd.direction(azimuth=0.0, elevation=30 * sd.deg), sd.Atmosphere.from_turbidity(3.0, PREETHAM_HAZE)
     >>> disc = AtmosphereSun(sun, air)
     >>> round(float(disc.illuminance(sun)), -2), round(float(disc.turbidity), 9)
-    (70700.0, 3.0)
+    (70400.0, 3.0)
     """
 
     turbidity: Any = field(default=property(lambda self: turbidity_of(self.atmosphere)), init=False)
