@@ -159,10 +159,13 @@ def test_the_disc_is_as_large_as_the_sun_s_distance_says():
     assert float(sd.SunDisc.of(far).angular_radius) == pytest.approx(
         float(sd.solar_radius("2026-07-06T12:00Z")), rel=1e-4
     )
-    sky = sd.HosekWilkie(SUN, 3.0)
-    discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06T12:00Z")]
-    light = [float(disc.illuminance(SUN)) for disc in discs]
-    assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
+    far = sd.Atmosphere.standard(sun_scale=1.0166**-2)
+    for sky in (sd.HosekWilkie(SUN, 3.0), sd.PhysicalSky(SUN), sd.Nishita93(SUN)):
+        discs = [sd.SunDisc.of(sky), sd.SunDisc.of(sky, time="2026-07-06T12:00Z")]
+        light = [float(disc.illuminance(SUN)) for disc in discs]
+        assert light[1] / light[0] == pytest.approx(1.0166**-2, rel=1e-3)
+    known = [sd.SunDisc.of(sd.PhysicalSky(SUN, far), time=day) for day in (None, "2026-07-06T12:00Z")]
+    assert float(known[1].illuminance(SUN)) == pytest.approx(float(known[0].illuminance(SUN)), rel=1e-3)
 
 
 @pytest.mark.parametrize("model", ["physical", "hosek-wilkie"])

@@ -91,7 +91,7 @@ def test_disc_of_a_given_irradiance():
     perez = sd.PerezAllWeather(sun, 700.0, 120.0)
     disc = sd.SunDisc.of(perez)
     assert float(disc.illuminance(sun)) == pytest.approx(float(perez.direct_normal_illuminance))
-    with pytest.raises(TypeError, match=r"CIE does not tell how bright its sun is; give skydome.SunDisc"):
+    with pytest.raises(TypeError, match=r"CIE does not tell how bright its sun is; give SunDisc"):
         sd.SunDisc.of(sd.CIE(sun, 12, zenith_luminance=1.0))
 
 

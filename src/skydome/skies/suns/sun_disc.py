@@ -31,7 +31,8 @@ from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.hosek_wilkie import BANDS, TURBIDITIES, band_weights
 from skydome.skies.sky import Sky, SunlitSky
-from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, radius_at, solar_radius
+from skydome.skies.validity import is_one
+from skydome.sun.position import SOLAR_RADIUS_AT_1_AU, earth_sun_distance, radius_at, solar_radius
 
 MEAN_RADIUS = SOLAR_RADIUS_AT_1_AU
 """Angular radius of the sun where none is given, rad: at 1 AU."""
@@ -111,8 +112,8 @@ class SunDisc(SunlitSky, SpectralSky):
     def of(cls, sky: Sky, angular_radius: Any = None, turbidity: Any = None, *, time: Any = None) -> "SunDisc":
         """The disc that belongs to a sky: of its sun and turbidity, and of its direct illuminance where it knows one.
 
-        As large as the sun is at its distance: by `angular_radius`, rad, or at a `time` (what `instants` takes), or as
-        the sky knows it (its air's `sun_scale`, its extraterrestrial irradiance), else at 1 AU. TypeError for a sky
+        As large and bright as the sun is at its distance: at a `time` (what `instants` takes), or as the sky knows it
+        (its air's `sun_scale`, its extraterrestrial irradiance), else at 1 AU; `angular_radius`, rad. TypeError for one
         that tells neither turbidity nor illuminance (the CIE's): give SunDisc(sun, turbidity=...) then.
 
         >>> import skydome as sd
@@ -128,16 +129,15 @@ class SunDisc(SunlitSky, SpectralSky):
             if (lit := part.sunlit) is None:
                 continue
             radius = radius_of(lit) if angular_radius is None else angular_radius
+            nearer = earth_sun_distance(time) ** -2 if time is not None and is_one(lit.sun_distance) else 1.0
             if isinstance(own := lit.own_disc(radius), cls) and turbidity is None:
-                return own
+                return own if time is None else replace(own, direct_normal_illuminance=own.normal_xyz[..., 1] * nearer)
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
                 sun = lit.sun if is_numpy(level) or not is_numpy(lit.sun) else constant(lit.sun, level)
-                return cls(
-                    sun, 3.0 if known is None else known, radius, direct_normal_illuminance=level, check=part.check
-                )
-        name = type(sky).__name__
-        raise TypeError(f"{name} does not tell how bright its sun is; give skydome.SunDisc(sun, turbidity=...)")
+                level, known = None if level is None else level * nearer, 3.0 if known is None else known
+                return cls(sun, known, radius, direct_normal_illuminance=level, check=part.check)
+        raise TypeError(f"{type(sky).__name__} does not tell how bright its sun is; give SunDisc(sun, turbidity=...)")
 
     def of_size(self, angular_radius: Any) -> Self:
         """The same light from a disc of another angular radius, rad: illuminance kept, radiance thinned to fit.
