@@ -20,7 +20,7 @@ from skydome.air.phase_functions import (
 )
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, is_numpy
-from skydome.ground.limits.ranges import HeldBySky, Range, require
+from skydome.ground.limits.ranges import FINITE, HeldBySky, Range, require
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
 
@@ -67,6 +67,7 @@ class Rayleigh(PhaseLaw):
     """Rayleigh's phase function with a `depolarisation` factor (a number, for all wavelengths)."""
 
     depolarisation: float = 0.0
+    bounds: ClassVar = {"depolarisation": Range(0.0, 0.5)}
 
     def __post_init__(self) -> None:
         if not 0 <= self.depolarisation < 0.5:
@@ -104,9 +105,10 @@ class HenyeyGreenstein(PhaseLaw):
     asymmetries: tuple[Any, ...] = (0.76,)
     weights: tuple[float, ...] = (1.0,)
     peak_polarisation: float = 0.0
+    bounds: ClassVar = {"weights": FINITE, "peak_polarisation": Range(-1.0, 1.0)}
 
     def __post_init__(self) -> None:
-        require("peak_polarisation", self.peak_polarisation, Range(-1.0, 1.0))
+        require("peak_polarisation", self.peak_polarisation, self.bounds["peak_polarisation"])
         if len(self.asymmetries) != len(self.weights) or not self.weights:
             raise ValueError(
                 f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
@@ -159,6 +161,7 @@ class CornetteShanks(PhaseLaw):
     """Cornette and Shanks's phase function of `asymmetry` g in (-1, 1)."""
 
     asymmetry: float = 0.76
+    bounds: ClassVar = {"asymmetry": ASYMMETRY}
 
     def __post_init__(self) -> None:
         if not -1 < self.asymmetry < 1:
@@ -203,6 +206,7 @@ class LegendreSeries(PhaseLaw):
     wavelengths: Any
     series: Any
     polarising: Any = None
+    bounds: ClassVar = dict.fromkeys(("wavelengths", "series", "polarising"), FINITE)
     wavelengths_alike: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
