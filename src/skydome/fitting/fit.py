@@ -209,8 +209,7 @@ def fit(
 
     Bounded Levenberg-Marquardt (scipy's trust region), from a coarse grid over suns, the brightest part first, and
     turbidities. ValueError where samples are fewer than unknowns or nothing is left; where the samples cannot tell, the
-    Fit says `determined=False` and which parameters. What ends at a limit
-    of its range is told by a warning.
+    Fit says `determined=False` and which parameters. What ends at a limit of its range is told by a warning.
 
     >>> import skydome as sd
     >>> truth = sd.Preetham(sd.direction(azimuth=2.0, elevation=0.7), turbidity=3.3)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from skydome.own_air.all_air.places import FINEST, SCALE, Places
 from skydome.own_air.all_air.solver import Solver
 from skydome.skies.all_air.taught_air import Optics
 from skydome.skies.physical.cosine_series import view_nodes
+
+Kind = TypeVar("Kind")
 
 VIEWS, AZIMUTHS, SUNS = 32, 25, 56
 """Nodes of half a sky, and suns of each air: one in each of so many even parts, from -18 to 90 degrees."""
@@ -37,17 +40,30 @@ def make_lessons(
     ValueError for fewer than one batch, and for a grid too coarse to give finite light; OSError where the folder
     cannot be made. Needs numba and scipy.
     """
+    return write_missing(folder, batches, seed, lambda: Solver.of(places or Places()), lesson_of, report)
+
+
+def write_missing(
+    folder: str | PathLike[str],
+    batches: int,
+    seed: int,
+    solver: Callable[[], Kind],
+    lesson: Callable[[Kind, int, int], dict[str, np.ndarray]],
+    report: Callable[[int, int, str], None],
+) -> int:
+    """The count of batches that the folder lacked: each is now a file of the arrays of its `lesson` by a `solver`."""
     if batches < 1:
         raise ValueError(f"batches must be 1 or more, got {batches}")
     place = require_place(folder, folder=True)
     place.mkdir(exist_ok=True)
     missing = [number for number in range(batches) if not path_of(place, seed, number).exists()]
-    solver = Solver.of(places or Places()) if missing else None
+    if not missing:
+        return 0
+    solved = solver()
     for done, number in enumerate(missing):
-        assert solver is not None
-        lesson = lesson_of(solver, seed, number)
+        arrays = lesson(solved, seed, number)
         with appearing(path_of(place, seed, number)) as beside, beside.open("wb") as file:
-            np.savez(file, allow_pickle=False, **lesson)
+            np.savez(file, allow_pickle=False, **arrays)
         report(done + 1, len(missing), f"batch {number}")
     return len(missing)
 

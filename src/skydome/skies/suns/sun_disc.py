@@ -129,13 +129,13 @@ class SunDisc(SunlitSky, SpectralSky):
             if (lit := part.sunlit) is None:
                 continue
             radius = radius_of(lit) if angular_radius is None else angular_radius
-            nearer = earth_sun_distance(time) ** -2 if time is not None and is_one(lit.sun_distance) else 1.0
+            gain = earth_sun_distance(time) ** -2 if time is not None and is_one(lit.sun_distance) else 1.0
             if isinstance(own := lit.own_disc(radius), cls) and turbidity is None:
-                return own if time is None else replace(own, direct_normal_illuminance=own.normal_xyz[..., 1] * nearer)
+                return own if is_one(gain) else replace(own, direct_normal_illuminance=own.normal_xyz[..., 1] * gain)
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
                 sun = lit.sun if is_numpy(level) or not is_numpy(lit.sun) else constant(lit.sun, level)
-                level, known = None if level is None else level * nearer, 3.0 if known is None else known
+                level, known = None if level is None else level * gain, 3.0 if known is None else known
                 return cls(sun, known, radius, direct_normal_illuminance=level, check=part.check)
         raise TypeError(f"{type(sky).__name__} does not tell how bright its sun is; give SunDisc(sun, turbidity=...)")
 

@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground.files.reading import arrays_in
-from skydome.ground.writing import appearing, require_place
 from skydome.own_air.all_air.airs import AIRS, batch
-from skydome.own_air.all_air.lessons import HELD, MOST_BYTES, path_of, random_suns
+from skydome.own_air.all_air.lessons import HELD, MOST_BYTES, random_suns, write_missing
 from skydome.own_air.all_air.places import Places
 from skydome.own_air.all_air.polarised.solver import PolarisedSolver
 from skydome.own_air.all_air.solver import Solver
@@ -37,19 +36,11 @@ def make_polarised_lessons(
 
     ValueError for fewer than one batch; OSError where the folder cannot be made. Needs numba and scipy.
     """
-    if batches < 1:
-        raise ValueError(f"batches must be 1 or more, got {batches}")
-    place = require_place(folder, folder=True)
-    place.mkdir(exist_ok=True)
-    missing = [number for number in range(batches) if not path_of(place, seed, number).exists()]
-    solver = PolarisedSolver(Solver.of(places)) if missing else None
-    for done, number in enumerate(missing):
-        assert solver is not None
-        lesson = polarised_lesson(solver, seed, number)
-        with appearing(path_of(place, seed, number)) as beside, beside.open("wb") as file:
-            np.savez(file, allow_pickle=False, **lesson)
-        report(done + 1, len(missing), f"batch {number}")
-    return len(missing)
+
+    def solver() -> PolarisedSolver:
+        return PolarisedSolver(Solver.of(places))
+
+    return write_missing(folder, batches, seed, solver, polarised_lesson, report)
 
 
 def polarised_lesson(solver: PolarisedSolver, seed: int, number: int) -> dict[str, np.ndarray]:
