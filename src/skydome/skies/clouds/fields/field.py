@@ -1,0 +1,183 @@
+"""A field of cloud: extinction in inverse metres at every place over the ground, repeating, drifting with the wind."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Any, ClassVar, NamedTuple, Self
+
+import numpy as np
+
+from skydome.ground.arguments import require_kind
+from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
+from skydome.skies.clouds.fields.kinds import CloudKind, Cumulus, ramp
+from skydome.skies.clouds.fields.noise import cells
+
+DETAIL = 64
+"""Places along each side of the block of fine detail, which repeats."""
+MET = 0.08
+"""Cloud counts as met where, somewhere in a column, it has come so far up its edge."""
+SPEED = Range(-200.0, 200.0, "m s-1")
+
+
+class Medium(NamedTuple):
+    """What extinction is computed from."""
+
+    shape: np.ndarray
+    """(count, count, levels), float32: north, east, up."""
+    detail: np.ndarray
+    """(DETAIL, DETAIL, DETAIL), float32."""
+    profile: np.ndarray
+    """(levels,)."""
+    spacing: float
+    base: float
+    thickness: float
+    threshold: float
+    erosion: float
+    edge: float
+    extinction: float
+    fine: float
+    """m between places of the detail."""
+    east: float
+    """Where the eye stands over the field, m."""
+    north: float
+
+
+@dataclass(frozen=True)
+class CloudField(Bounded):
+    """A field of cloud of one `kind` that covers a share `cover` of the sky's columns.
+
+    base, thickness in m above the ground, extinction (the greatest) in m-1: the kind's usual ones unless given. `wind`
+    (east, north), m s-1, moves it, and `place` (east, north), m, is where the eye stands over it. It repeats after
+    `kind.period` m. ValueError for cover over 1, clouds below the ground, negative depth.
+
+    >>> field = CloudField(Cumulus(), cover=0.4, seed=7)
+    >>> field.base, field.thickness
+    (1200.0, 1300.0)
+    >>> field.later(600.0).place
+    (0.0, 0.0)
+    """
+
+    kind: CloudKind = field(default_factory=Cumulus)
+    cover: float = 0.4
+    base: float = None  # type: ignore[assignment]
+    thickness: float = None  # type: ignore[assignment]
+    extinction: float = None  # type: ignore[assignment]
+    seed: int = 0
+    wind: tuple[float, float] = (0.0, 0.0)
+    place: tuple[float, float] = (0.0, 0.0)
+    kinds: ClassVar = {"kind": (CloudKind, "Cumulus()")}
+    bounds: ClassVar = {
+        "cover": SHARE,
+        "base": Range(50.0, 20_000.0, "m"),
+        "thickness": Range(20.0, 10_000.0, "m"),
+        "extinction": Range(0.0, 1.0, "m-1"),
+        "seed": SEED,
+        "wind": SPEED,
+        "place": Range(-1e9, 1e9, "m"),
+    }
+
+    def __post_init__(self) -> None:
+        require_kind(self.kind, CloudKind, "kind", "Cumulus()")
+        for name in ("base", "thickness", "extinction"):
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, getattr(self.kind, name))
+        self.require_bounds()
+
+    def later(self, seconds: float) -> Self:
+        """The field after so many seconds of wind."""
+        east, north = (p - w * seconds for p, w in zip(self.place, self.wind, strict=True))
+        return replace(self, place=(east, north))
+
+    @property
+    def top(self) -> float:
+        """Height of the clouds' top above the ground, m."""
+        return self.base + self.thickness
+
+    @cached_property
+    def threshold(self) -> float:
+        """The shape from which on there is cloud, so that `cover` is met."""
+        highest = column_tops(self.kind, self.thickness, self.seed)
+        if self.cover <= 0:
+            return float(highest[-1]) + 1.0
+        share = (1 - self.cover) * (len(highest) - 1)
+        found = float(np.interp(share, np.arange(len(highest)), highest))
+        return found - self.kind.edge * (MET if self.cover < 1 else 1.0)
+
+    @cached_property
+    def medium(self) -> Medium:
+        """What kernels compute the extinction from."""
+        kind = self.kind
+        shape, detail = tables(kind, self.thickness, self.seed)
+        profile = kind.profile((np.arange(kind.levels) + 0.5) / kind.levels)
+        return Medium(
+            shape, detail, profile, kind.period / kind.count, self.base, self.thickness, self.threshold, kind.erosion,
+            kind.edge, self.extinction, kind.detail, *map(float, self.place),
+        )  # fmt: skip
+
+    def extinction_at(self, points: Any) -> np.ndarray:
+        """Extinction at points (..., 3), m from the eye's foot to east, north and up, m-1, shape (...,).
+
+        >>> float(CloudField(Cumulus(), cover=1.0).extinction_at([0.0, 0.0, 100.0]))
+        0.0
+        """
+        m, points = self.medium, np.asarray(points, np.float64)
+        x, y, z = (points + [m.east, m.north, -m.base]).reshape(-1, 3).T
+        height = z / m.thickness
+        place = height * len(m.profile) - 0.5
+        shape = interpolated(m.shape, x / m.spacing, y / m.spacing, place, wraps=False)
+        eaten = m.erosion * interpolated(m.detail, x / m.fine, y / m.fine, z / m.fine, wraps=True)
+        level = np.interp(place, np.arange(len(m.profile)), m.profile)
+        inside = (height >= 0) & (height <= 1)
+        full = np.where(inside, ramp((shape - eaten - m.threshold) / m.edge) * level * m.extinction, 0.0)
+        return np.asarray(full.reshape(points.shape[:-1]))
+
+
+def interpolated(table: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray, wraps: bool) -> np.ndarray:
+    """A table (north, east, up) that repeats, linear at places x, y, z (N,); upward it `wraps`, or is held."""
+    rows, columns, levels = table.shape
+    z = z if wraps else np.clip(z, 0.0, levels - 1.0)
+    low = [np.floor(v).astype(np.int64) for v in (x, y, z)]
+    total = np.zeros(len(x))
+    for a in (0, 1):
+        for b in (0, 1):
+            for c in (0, 1):
+                weight = 1.0
+                for v, n, s in zip((x, y, z), low, (a, b, c), strict=True):
+                    weight = weight * ((v - n) if s else (1 - (v - n)))
+                up = (low[2] + c) % levels if wraps else np.minimum(low[2] + c, levels - 1)
+                total += weight * table[(low[1] + b) % rows, (low[0] + a) % columns, up]
+    return total
+
+
+@lru_cache(maxsize=6)
+def tables(kind: CloudKind, thickness: float, seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """The shape (count, count, levels) and the fine detail (DETAIL, DETAIL, DETAIL) of a kind, float32."""
+    along = np.arange(kind.count) * (kind.period / kind.count)
+    height = (np.arange(kind.levels) + 0.5) / kind.levels
+    shape = np.empty((kind.count, kind.count, kind.levels), np.float32)
+    for rows in np.array_split(np.arange(kind.count), max(1, kind.count // 32)):
+        points = np.stack(np.meshgrid(along[rows], along, height * thickness, indexing="ij"), axis=-1)[..., [1, 0, 2]]
+        shape[rows] = kind.shape(points, np.broadcast_to(height, points.shape[:-1]), seed)
+    return shape, detail(seed)
+
+
+def detail(seed: int) -> np.ndarray:
+    """Fine detail: distances to points strewn at three scales, 0 to about 1."""
+    place = np.arange(DETAIL) / DETAIL
+    points = np.stack(np.meshgrid(place, place, place, indexing="ij"), axis=-1)[..., [1, 0, 2]]
+    each = ((0.5, 4), (0.3, 9), (0.2, 19))
+    return np.float32(sum(w * cells(points * n, (n, n, n), seed + 101 + n) for w, n in each))
+
+
+@lru_cache(maxsize=6)
+def column_tops(kind: CloudKind, thickness: float, seed: int) -> np.ndarray:
+    """The greatest of shape less erosion in each column where there can be cloud, in order of size, (columns,)."""
+    shape, fine = tables(kind, thickness, seed)
+    level = np.flatnonzero(kind.profile((np.arange(kind.levels) + 0.5) / kind.levels) > 0.05)
+    m, spacing = kind.count, kind.period / kind.count
+    j, i = (part.ravel() for part in np.meshgrid(np.arange(m), np.arange(m), indexing="ij"))
+    best = np.full(m * m, -np.inf)
+    for k in level:
+        z = np.full(i.shape, (k + 0.5) / kind.levels * thickness / kind.detail)
+        eaten = interpolated(fine, i * spacing / kind.detail, j * spacing / kind.detail, z, wraps=True)
+        best = np.maximum(best, shape[j, i, k] - kind.erosion * eaten)
+    return np.sort(best)

@@ -1,0 +1,165 @@
+"""A field of cloud under its lights: depths toward the sun, and diffused light of sun, sky and ground.
+
+Fast form. Light scattered once is found along the ray with the true phase function, the forward peak taken out of the
+optical depths (Nakajima and Tanaka 1988, the TMS method; delta-Eddington, Joseph et al. 1976). All higher orders are
+diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source, D = 1 / (3 (1 - g) extinction).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from skydome.air.phase_laws import HenyeyGreenstein
+from skydome.ground.compiled import shared
+from skydome.ground.extras import required
+from skydome.skies.clouds.fields.field import CloudField
+
+ANGLES = 3601
+FARTHEST = 120_000.0
+"""How far cloud is sought, m."""
+OPEN_TO_SUN, OPEN_TO_SKY = 1.0 / 620.0, 1.0 / 4000.0
+"""Transport extinction that stands for empty air, m-1, in the diffusion of sunlight, and of light from sky and ground;
+fitted, as are the next, to paths traced (docs/clouds.md)."""
+BLUR, BROADER = 0.35, 2.5
+"""How soon many small turns blur the phase function, and to which power of its mean cosine."""
+SWEEPS, OVER = 24, 1.8
+RAYS_PER_PIECE = 1 << 8
+
+
+@dataclass(frozen=True, eq=False)
+class LitField:
+    """A field under a sun toward `sun` (3,), ready for rays."""
+
+    field: CloudField
+    sun: np.ndarray
+
+    @classmethod
+    def of(cls, field: CloudField, sun: Any) -> "LitField":
+        """ValueError unless there is one sun above the horizon; ImportError without Numba."""
+        required("numba", "fast", "a field of cloud")
+        return cls(field, np.asarray(sun, np.float64))
+
+    @cached_property
+    def asymmetry(self) -> float:
+        """Mean cosine of the cloud's scattering angle."""
+        return float(np.asarray(self.field.kind.phase.mean_cosine([550.0]))[0])
+
+    @property
+    def kept(self) -> float:
+        """Share of the extinction that stays when the forward peak g^2 is taken out."""
+        return 1 - self.asymmetry**2
+
+    @property
+    def cells(self) -> int:
+        """Of the coarse grid along the period."""
+        return min(self.field.kind.count, max(16, self.field.kind.count // 2))
+
+    @property
+    def steps(self) -> tuple[float, float]:
+        """Width and height of its cells, m."""
+        kind = self.field.kind
+        return kind.period / self.cells, self.field.thickness / kind.levels
+
+    @cached_property
+    def coarse(self) -> np.ndarray:
+        """Mean extinction of the cells, m-1, float32."""
+        from skydome.skies.clouds.fields.medium_kernel import cell_means
+
+        out = np.empty((self.cells, self.cells, self.field.kind.levels), np.float32)
+        shared(cell_means, self.cells, out.size, (self.field.medium, self.field.kind.period, out), 1 << 14)
+        return out
+
+    @cached_property
+    def gaps(self) -> np.ndarray:
+        """How many cells to the nearest column with cloud, 0 within it, up to 12."""
+        reached = self.coarse.max(axis=2) > 0
+        found = np.where(reached, 0, 1)
+        for _ in range(11):
+            for axis in (0, 1):
+                reached = reached | np.roll(reached, 1, axis) | np.roll(reached, -1, axis)
+            found = found + ~reached
+        return found.astype(np.float64)
+
+    @cached_property
+    def sun_depths(self) -> np.ndarray:
+        """Optical depth from each cell toward the sun, less the forward peak."""
+        from skydome.skies.clouds.fields.medium_kernel import depths_toward_sun
+
+        out = np.zeros_like(self.coarse)
+        depths_toward_sun(np.float32(self.coarse * self.kept), *self.steps, self.sun, out)
+        return out
+
+    def diffusivity(self, open_air: float) -> np.ndarray:
+        """1 / (3 transport extinction), m, that of empty air in the gaps."""
+        return np.float32(1 / (3 * np.maximum((1 - self.asymmetry) * self.coarse, open_air)))
+
+    @cached_property
+    def of_sky(self) -> np.ndarray:
+        """Fluence for a skylight of irradiance 1 from above."""
+        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(OPEN_TO_SKY), 1.0, 0.0)
+
+    @cached_property
+    def of_ground(self) -> np.ndarray:
+        """Fluence for ground light of irradiance 1 from below."""
+        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(OPEN_TO_SKY), 0.0, 1.0)
+
+    @cached_property
+    def of_sun(self) -> np.ndarray:
+        """Diffuse fluence for sunlight of irradiance 1 on a plane that faces it."""
+        dx, dz = self.steps
+        beam = self.coarse * self.kept * np.exp(-self.sun_depths)
+        below = np.exp(-self.sun_depths[..., 0] - 0.5 * dz / self.sun[2] * self.kept * self.coarse[..., 0]).mean()
+        beam *= self.sun[2] * (1 - below) / max(beam.mean() * self.field.thickness, 1e-30)  # what is lost is scattered
+        diffusivity = self.diffusivity(OPEN_TO_SUN)
+        forward = 3 * diffusivity * beam * (self.asymmetry / (1 + self.asymmetry))
+        source = beam.astype(np.float32)
+        for axis, (part, step) in enumerate(zip(-self.sun[[1, 0, 2]], (dx, dx, dz), strict=True)):
+            before, after = np.roll(forward, 1, axis), np.roll(forward, -1, axis)
+            if axis == 2:
+                before[..., 0], after[..., -1] = -forward[..., 0], -forward[..., -1]
+            source -= np.float32(part * (after - before) / (2 * step))
+        return self.diffused(source, diffusivity, 0.0, 0.0)
+
+    def diffused(self, source: np.ndarray, diffusivity: np.ndarray, top: float, bottom: float) -> np.ndarray:
+        """The fluence, float32."""
+        from skydome.skies.clouds.fields.diffusion_kernel import relaxed
+
+        fluence = np.full(source.shape, 2.0 * (top + bottom), np.float32)
+        column = np.empty((3, source.shape[2]))
+        relaxed(diffusivity, source, *self.steps, top, bottom, SWEEPS, OVER, column, fluence)
+        return np.maximum(fluence, 0)
+
+    @cached_property
+    def budget(self) -> tuple[float, float, float, float]:
+        """What comes down below the field: of the sun straight, as a share; of sunlight and skylight of irradiance 1
+        scattered, on the horizontal; and the share of light from below that is sent back down.
+        """
+        below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
+        diffuse = (float(part[..., 0].mean()) / 2 for part in (self.of_sun, self.of_sky, self.of_ground))
+        of_sun, of_sky, back = diffuse
+        return float(np.exp(-below).mean()), of_sun, of_sky, back - 1
+
+    @cached_property
+    def light(self) -> np.ndarray:
+        """What rays read, (north, east, up, 4)."""
+        return np.ascontiguousarray(np.stack([self.sun_depths, self.of_sun, self.of_sky, self.of_ground], axis=-1))
+
+    @cached_property
+    def phase(self) -> np.ndarray:
+        """The phase function at even angles, and what is left of it after many small turns, (2, ANGLES)."""
+        cosine, blurred = np.cos(np.linspace(0, np.pi, ANGLES)), HenyeyGreenstein((self.asymmetry**BROADER,))
+        return np.stack([law.value(cosine, [550.0])[:, 0] for law in (self.field.kind.phase, blurred)])
+
+    def seen(self, directions: np.ndarray) -> np.ndarray:
+        """Toward directions (D, 3): transmittance, radiance of sun, sky and ground for 1, distance: (D, 5)."""
+        from skydome.skies.clouds.fields.march_kernel import marched
+
+        views = np.ascontiguousarray(directions, np.float64)
+        out = np.empty((len(views), 5))
+        kind = self.field.kind
+        numbers = np.array([self.kept, FARTHEST, 1.5 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)])
+        given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, self.phase, numbers, out)
+        shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
+        return out

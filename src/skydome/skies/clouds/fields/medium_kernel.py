@@ -1,0 +1,128 @@
+# mypy: allow-untyped-defs
+"""Extinction of a field at a place, means over coarse cells, and the optical depth along rays, compiled.
+
+`m` is a `field.Medium`. Places x, y, z are in m from the field's own origin, z above the clouds' base. Coarse grids are
+(north, east, up).
+"""
+
+import math
+
+from skydome.ground.compiled import inlined, job
+
+compiled, part = job(), inlined()
+
+
+@part
+def wrapped(table, x, y, z):
+    """A table (north, east, up), linear at places x, y, z, that repeats in all."""
+    rows, columns, levels = table.shape
+    fx, fy, fz = math.floor(x), math.floor(y), math.floor(z)
+    u, v, w = x - fx, y - fy, z - fz
+    i, j, k = int(fx) % columns, int(fy) % rows, int(fz) % levels
+    i1, j1, k1 = (i + 1) % columns, (j + 1) % rows, (k + 1) % levels
+    low = (table[j, i, k] * (1 - u) + table[j, i1, k] * u) * (1 - v) + (
+        table[j1, i, k] * (1 - u) + table[j1, i1, k] * u
+    ) * v
+    high = (table[j, i, k1] * (1 - u) + table[j, i1, k1] * u) * (1 - v) + (
+        table[j1, i, k1] * (1 - u) + table[j1, i1, k1] * u
+    ) * v
+    return low + (high - low) * w
+
+
+@part
+def between(table, x, y, z):
+    """A table (north, east, up), linear at places x, y, z, that repeats to east and north and is held upward."""
+    rows, columns, levels = table.shape
+    z = min(max(z, 0.0), levels - 1.000001)
+    fx, fy, fz = math.floor(x), math.floor(y), math.floor(z)
+    u, v, w = x - fx, y - fy, z - fz
+    i, j, k = int(fx) % columns, int(fy) % rows, int(fz)
+    i1, j1 = (i + 1) % columns, (j + 1) % rows
+    low = (table[j, i, k] * (1 - u) + table[j, i1, k] * u) * (1 - v) + (
+        table[j1, i, k] * (1 - u) + table[j1, i1, k] * u
+    ) * v
+    k += 1
+    high = (table[j, i, k] * (1 - u) + table[j, i1, k] * u) * (1 - v) + (
+        table[j1, i, k] * (1 - u) + table[j1, i1, k] * u
+    ) * v
+    return low + (high - low) * w
+
+
+@part
+def extinction(m, x, y, z):
+    """Extinction, m-1; as `CloudField.extinction_at`."""
+    height = z / m.thickness
+    if height < 0.0 or height > 1.0:
+        return 0.0
+    place = height * m.profile.size - 0.5
+    over = between(m.shape, x / m.spacing, y / m.spacing, place) - m.threshold
+    if over <= 0.0:
+        return 0.0
+    if m.erosion > 0.0:
+        over -= m.erosion * wrapped(m.detail, x / m.fine, y / m.fine, z / m.fine)
+        if over <= 0.0:
+            return 0.0
+    share = min(over / m.edge, 1.0)
+    share = share * share * (3.0 - 2.0 * share)
+    held = min(max(place, 0.0), m.profile.size - 1.0)
+    k = min(int(held), m.profile.size - 2)
+    level = m.profile[k] + (m.profile[k + 1] - m.profile[k]) * (held - k)
+    return share * level * m.extinction
+
+
+@compiled
+def extinctions(first, last, m, points, out):
+    """Extinction at points (N, 3) from the eye's foot, m."""
+    for n in range(first, last):
+        out[n] = extinction(m, points[n, 0] + m.east, points[n, 1] + m.north, points[n, 2] - m.base)
+
+
+@compiled
+def cell_means(first, last, m, period, out):
+    """Mean extinction of the cells of a coarse grid, of four places in each."""
+    rows, columns, levels = out.shape
+    step, high = period / columns, m.thickness / levels
+    for j in range(first, last):
+        for i in range(columns):
+            for k in range(levels):
+                total = 0.0
+                for s in range(4):
+                    a, b, c = 0.25 + 0.5 * (s & 1), 0.25 + 0.5 * (s >> 1), 0.25 + 0.5 * ((s & 1) ^ (s >> 1))
+                    total += extinction(m, (i + a) * step, (j + b) * step, (k + c) * high)
+                out[j, i, k] = 0.25 * total
+
+
+@compiled
+def depths_toward_sun(sigma, dx, dz, sun, out):
+    """Optical depth of a coarse grid from each cell's middle toward the sun, by slices from the top down."""
+    rows, columns, levels = sigma.shape
+    shift_x, shift_y = dz * sun[0] / sun[2], dz * sun[1] / sun[2]
+    long = dz / sun[2]
+    count = int(math.sqrt(shift_x * shift_x + shift_y * shift_y) / dx) + 1
+    for j in range(rows):
+        for i in range(columns):
+            out[j, i, levels - 1] = 0.5 * long * sigma[j, i, levels - 1]
+    for k in range(levels - 2, -1, -1):
+        for j in range(rows):
+            for i in range(columns):
+                total = 0.0
+                for n in range(count):
+                    s = (n + 0.5) / count
+                    total += between(sigma, i + s * shift_x / dx, j + s * shift_y / dx, k + s)
+                above = between(out, i + shift_x / dx, j + shift_y / dx, k + 1.0)
+                out[j, i, k] = above + total * long / count
+
+
+@compiled
+def depths_along(first, last, m, starts, direction, step, out):
+    """Optical depth through the whole layer along a direction (3,) from places (N, 3) on the ground below it."""
+    for n in range(first, last):
+        t = m.base / direction[2]
+        end, total = (m.base + m.thickness) / direction[2], 0.0
+        count = max(int((end - t) / step), 1)
+        ds = (end - t) / count
+        x, y = starts[n, 0] + m.east, starts[n, 1] + m.north
+        for k in range(count):
+            s = t + (k + 0.5) * ds
+            total += extinction(m, x + s * direction[0], y + s * direction[1], s * direction[2] - m.base)
+        out[n] = total * ds

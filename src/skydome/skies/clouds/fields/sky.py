@@ -1,0 +1,171 @@
+"""A sky of clouds: a field of cloud before the clear physical sky, lit by its sun, its light and the ground."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skydome.ground.arrays import Array
+from skydome.ground.directions import checked_directions
+from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.all_air.lit_air import is_one
+from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.incident import Incident, colours_of, spectrum_of
+from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.shadows import sun_share
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.sky import SunlitSky
+from skydome.skies.suns.sun_disc import SunDisc
+
+CHUNK = 1 << 16
+"""Views at a time."""
+LOWEST = 0.01
+"""Sine of the elevation under which the sun is not let down for the shadows of clouds on each other."""
+
+
+@dataclass(frozen=True, eq=False)
+class CloudySky(SpectralSky):
+    """The `clear` physical sky of one sun with a `field` of cloud in it: spectrum, colour, luminance.
+
+    Light scattered once by the cloud with its true phase function, all higher orders by diffusion in three dimensions;
+    sunlight, skylight and the ground's light on the cloud by the clear sky's air, and that air between cloud and eye.
+    Against paths traced: docs/clouds.md. `sky + SunDisc.of(sky)` has the sun as the cloud leaves it. Cloud is grey
+    and does not absorb. Needs Numba. ValueError for many suns or airs.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
+    >>> sky = CloudySky(sd.PhysicalSky(sun), CloudField(cover=0.0))
+    >>> bool(abs(sky.luminance(sd.ZENITH) / sd.PhysicalSky(sun).luminance(sd.ZENITH) - 1) < 1e-6)
+    True
+    """
+
+    clear: PhysicalSky
+    field: CloudField
+    kinds: ClassVar = {"clear": (PhysicalSky, "PhysicalSky(sun)"), "field": (CloudField, "CloudField(cover=0.4)")}
+    source: ClassVar[str] = "single scattering (TMS) and diffusion in three dimensions through procedural cloud"
+    knows_twilight: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.require_bounds()
+        if not (self.clear.one_sun and is_one(self.clear.atmosphere, self.clear.toward)):
+            raise ValueError("a sky of clouds has one sun of shape (3,) and one air, got many")
+
+    @cached_property
+    def lit(self) -> LitField:
+        """The field under its sun."""
+        sun = np.asarray(self.clear.seen_sun, np.float64)
+        level = np.hypot(sun[0], sun[1])
+        high = max(float(sun[2]), LOWEST)
+        flat = np.sqrt(1 - high * high) / max(level, 1e-12)
+        return LitField.of(self.field, np.array([sun[0] * flat, sun[1] * flat, high]))
+
+    @property
+    def sunlit(self) -> "SunBehindClouds":
+        """Who tells the sun, dimmed by the cloud before it."""
+        return SunBehindClouds(np.asarray(self.clear.seen_sun), self)
+
+    @property
+    def is_day(self) -> Array:
+        """True where the clear sky has light."""
+        return self.clear.is_day
+
+    @property
+    def valid(self) -> Array:
+        """That of the clear sky."""
+        return self.clear.valid
+
+    @property
+    def albedo(self) -> Any:
+        """Of the ground under the clear sky."""
+        return self.clear.albedo
+
+    @cached_property
+    def sun_share(self) -> float:
+        """Share of the sun's disc's light that the cloud before it lets straight through, 0-1."""
+        return float(sun_share(self.field, np.asarray(self.clear.seen_sun), np.zeros((1, 3)))[0])
+
+    def parameters(self) -> dict[str, Any]:
+        """Those of the clear sky and of the field."""
+        field = {name: getattr(self.field, name) for name in ("cover", "base", "thickness", "extinction", "seed")}
+        return self.clear.parameters() | {"clouds": type(self.field.kind).__name__} | field
+
+    @cached_property
+    def colours(self) -> Incident:
+        """The light on the field in CIE XYZ."""
+        return colours_of(self.clear, self.lit)
+
+    def xyz(self, directions: Array) -> Array:
+        """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""
+        clear = self.clear.for_maps
+        return self.in_chunks(directions, self.colours, lambda views: np.asarray(clear.xyz(views)), 3)  # type: ignore[attr-defined]
+
+    def radiance(self, directions: Array, wavelengths: Any) -> Array:
+        """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
+        w = checked_wavelengths(wavelengths)
+        light = spectrum_of(self.clear, self.lit, w)
+        return self.in_chunks(directions, light, lambda views: np.asarray(self.clear.radiance(views, w)), len(w))
+
+    def in_chunks(self, directions: Array, incident: Incident, clear: Any, width: int) -> Array:
+        """The light of views, some at a time."""
+        views = np.asarray(checked_directions(np.asarray(directions, np.float64)))
+        flat = views.reshape(-1, 3)
+        out = np.zeros((len(flat), width))
+        for part in pieces(np.flatnonzero(flat[:, 2] >= 0)):
+            out[part] = incident.behind(clear(flat[part]), flat[part]) if self.field.cover > 0 else clear(flat[part])
+        return out.reshape(*views.shape[:-1], width)
+
+
+def pieces(indices: np.ndarray) -> Iterator[np.ndarray]:
+    """Some of the indices at a time."""
+    for start in range(0, len(indices), CHUNK):
+        yield indices[start : start + CHUNK]
+
+
+@dataclass(frozen=True, eq=False)
+class SunBehindClouds(SunlitSky):
+    """What a sky of clouds tells of its sun."""
+
+    sky: CloudySky
+
+    def luminance(self, directions: Array) -> Array:
+        """The sky's, cd m-2."""
+        return self.sky.luminance(directions)
+
+    @property
+    def valid(self) -> Array:
+        """The sky's."""
+        return self.sky.valid
+
+    @property
+    def is_day(self) -> Array:
+        """The sky's."""
+        return self.sky.is_day
+
+    @property
+    def haze(self) -> Any:
+        """That of the clear air."""
+        return self.sky.clear.haze
+
+    @property
+    def sun_distance(self) -> Any:
+        """Distance of the sun, AU."""
+        return self.sky.clear.sun_distance
+
+    @property
+    def direct_normal_illuminance(self) -> Any:
+        """Illuminance of the sun as the cloud leaves it, lx."""
+        return self.sky.clear.direct_normal_illuminance * self.sky.sun_share
+
+    def own_disc(self, angular_radius: Any) -> SunlitSky | None:
+        """The clear air's disc, dimmed."""
+        disc = self.sky.clear.own_disc(angular_radius)
+        return None if disc is None else dimmed(disc, self.sky.sun_share)
+
+
+def dimmed(disc: SunDisc, share: float) -> SunDisc:
+    """A disc with a share of its light."""
+    return replace(disc, direct_normal_illuminance=disc.normal_xyz[..., 1] * share)
