@@ -29,6 +29,8 @@ HOME = {
     "air.atmosphere": "Atmosphere",
     "air.constituents": "Aerosol Molecules Ozone",
     "air.gases.gases": "Gases",
+    "air.clouds.cloud": "Cloud",
+    "air.clouds.particles": "Water Ice",
     "air.mie": "MieParticles",
     "air.size_distributions": "Lognormal Junge GammaSizes",
     "air.transmittance": "ClearAir",
