@@ -125,6 +125,7 @@ CALLS = {
     "ColourSkyBasis": {"basis": BASIS.basis, "coefficients": BASIS.coefficients},
     "preetham_harmonics": {"sun": SUN, "turbidity": 3.0},
     "EquirectangularOfWidth": {"width": 40},
+    "SkyView": {"width": 40},
     "EqualAreaSquare": {}, "CubeMap": {}, "LightInLux": {}, "LightInXYZ": {}, "HoffmanPreetham": {},
     "MESOPIC": {"angle": 0.1}, "SCOTOPIC": {"angle": 0.1},
     "render_terrain": {"elevation": sd.Elevation(np.zeros((4, 4)), 30.0, 30.0), "camera": sd.Camera(width=8, height=8),

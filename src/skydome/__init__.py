@@ -97,6 +97,7 @@ HOME = {
     "maps.environment_map": "EnvironmentMap",
     "maps.loading": "load",
     "maps.equirectangular": "Equirectangular EquirectangularOfWidth",
+    "maps.sky_view": "SkyView",
     "maps.equal_area_square": "EqualAreaSquare",
     "maps.cube": "CubeMap",
     "maps.fisheye": "Fisheye",

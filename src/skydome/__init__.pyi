@@ -95,6 +95,7 @@ from skydome.maps.equirectangular import Equirectangular as Equirectangular
 from skydome.maps.equirectangular import EquirectangularOfWidth as EquirectangularOfWidth
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
+from skydome.maps.sky_view import SkyView as SkyView
 from skydome.maps.targets import target as target
 from skydome.moon.events import MoonEvents as MoonEvents
 from skydome.moon.events import moon_events as moon_events
