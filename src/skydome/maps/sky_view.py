@@ -52,8 +52,8 @@ class SkyView(LatitudeLongitude):
 
     def edges(self, height: int, rows: slice) -> tuple[Array, Array]:
         """Elevations of the upper and lower edges of those rows, radians, each (r, 1)."""
-        row, _ = self.centres(height, rows)
-        return self.elevations(row - 0.5, height), self.elevations(row + 0.5, height)
+        row = np.arange(self.shape(height)[0])[rows, None]
+        return self.elevations(row, height), self.elevations(row + 1, height)
 
     def solid_angles(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:
         """Exact solid angle of each row's texels, sr, shape (r, 1)."""
