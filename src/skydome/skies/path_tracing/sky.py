@@ -154,7 +154,7 @@ class TracingJob:
     @cached_property
     def exact(self) -> Any:
         """The light scattered once, by quadrature, where the paths leave it out, sr-1, (D, W); else 0."""
-        if not self.sky.exact_first:
+        if not (self.sky.exact_first and self.sky.is_day):
             return 0.0
         table = ColumnTable.of(self.sky.atmosphere, 144, 128)
         start = np.full(len(self.directions), self.sky.atmosphere.radius)
@@ -172,6 +172,8 @@ class TracingJob:
         from skydome.skies.path_tracing.loop_kernel import trace_views
 
         sky = self.sky
+        if not sky.is_day:
+            return np.zeros((len(self.directions), self.wavelengths.size))
         sun, views = np.asarray(sky.sun, dtype=np.float64), np.ascontiguousarray(self.directions, dtype=np.float64)
         paths = sky.paths_per_pass * self.wavelengths.size
         choices = sky.orders, sky.roulette, sky.exact_first, sky.seed, number, paths
@@ -216,8 +218,7 @@ class PathTraced(AtmosphereSky):
         "roulette": Range(0.0, 1.0),
         "paths_per_pass": Range(1, 1 << 20),
     }
-    knows_twilight: ClassVar[bool] = True
-    lowest_held: ClassVar[float] = -12.0
+    lowest_sun: ClassVar[float] = -12.0
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
     quick_to_see: ClassVar[bool] = False
 
