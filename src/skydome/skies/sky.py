@@ -23,8 +23,7 @@ class Sky(LabelledLight, Shown, ABC):
     """A sky whose luminance is known: the first rung.
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
-    the parameter to the limit, "nan" answers NaN. A sun below `lowest_sun`, the horizon for most, is night: light 0 and
-    `valid` False.
+    the parameter to the limit, "nan" answers NaN. A sun below `lowest_sun` is night: light 0 and `valid` False.
 
     >>> import skydome as sd
     >>> sky = sd.Uniform(1000.0) + 0.5 * sd.MoonSpencer(zenith_luminance=9000.0)
@@ -33,7 +32,6 @@ class Sky(LabelledLight, Shown, ABC):
     """
 
     source: ClassVar[str] = ""
-    lowest_sun: ClassVar[float] = 0.0  # elevation of the sun, degrees, down to which light is known; there it ends
     shines_at_night: ClassVar[bool] = False  # whether its light is its own, whatever the sun does
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
     knows_energy: ClassVar[bool] = False  # whether air and spectrum are known from 300 to 2500 nm
@@ -124,7 +122,6 @@ class SunlitSky(Sky):
     directions_held: ClassVar[tuple[str, ...]] = ("sun",)
 
     def __post_init__(self) -> None:
-        """Validate only."""
         super().__post_init__()
         checked_directions(self.sun, "sun")
 
