@@ -1,6 +1,6 @@
-"""terrain_cells.png: 4,000 km² in cells of 30 m, as large and as fine as the land of Preetham et al.'s Figures 1, 7 and 8.
+"""terrain_cells.png: 4,000 km² in cells of 30 m, as the land of Preetham et al.'s Figures 1, 7 and 8.
 
-The land is made up (ridges of noise by a seed), since no open elevation of that size is at hand. Prints time and memory.
+The land is made up (ridges of noise by a seed): no open elevation of that size is at hand. Prints time and memory.
 """
 
 import resource
