@@ -1,6 +1,9 @@
 """The public names for type checkers and editors, written by scripts/make_face.py from HOME in __init__.py."""
 
 from skydome.air.atmosphere import Atmosphere as Atmosphere
+from skydome.air.clouds.cloud import Cloud as Cloud
+from skydome.air.clouds.particles import Ice as Ice
+from skydome.air.clouds.particles import Water as Water
 from skydome.air.constituents import Aerosol as Aerosol
 from skydome.air.constituents import Molecules as Molecules
 from skydome.air.constituents import Ozone as Ozone
@@ -92,6 +95,7 @@ from skydome.maps.equirectangular import Equirectangular as Equirectangular
 from skydome.maps.equirectangular import EquirectangularOfWidth as EquirectangularOfWidth
 from skydome.maps.fisheye import Fisheye as Fisheye
 from skydome.maps.loading import load as load
+from skydome.maps.sky_view import SkyView as SkyView
 from skydome.maps.targets import target as target
 from skydome.moon.events import MoonEvents as MoonEvents
 from skydome.moon.events import moon_events as moon_events

@@ -18,6 +18,7 @@ from skydome.maps.projections import (
     Equisolid,
     Fisheye,
     Projection,
+    SkyView,
 )
 
 WHOLE = [
@@ -31,6 +32,8 @@ WHOLE = [
     (Fisheye(2 * np.pi, Equidistant()), 33),
     (EquirectangularOfWidth(width=13), 9),
     (EquirectangularOfWidth(width=40), 7),
+    (SkyView(width=24), 18),
+    (SkyView(width=13, azimuth_left=0.4, mirrored=True), 7),
 ]
 PARTIAL = [(Fisheye(), 32), (Fisheye(2.0, Equisolid()), 31)]
 EVERY = WHOLE + PARTIAL
@@ -215,3 +218,17 @@ def test_the_grid_of_any_width_and_height_is_that_of_the_equations():
     picture = sd.render(sd.Daylight(sd.Uniform(1.0)), height=301, projection=EquirectangularOfWidth(width=200))
     assert picture.pixels.shape == (301, 200, 3)
     np.testing.assert_allclose(picture.illuminance(ZENITH), np.pi, rtol=0.02)
+
+
+def test_a_sky_view_map_of_108_rows_holds_the_horizon_better():
+    """Hillaire 2020, section 5.3: 192 x 108 texels looked up again stand nearer to the sky than even rows do."""
+    import skydome as sd
+
+    sky = sd.HosekWilkie(direction(1.0, 0.1), turbidity=3.0)
+    toward = direction(np.linspace(0, 6.2, 37), np.geomspace(0.003, 1.5, 29)[:, None])
+
+    def error(layout):
+        held = sd.CapturedSky(sd.render(sky, height=108, projection=layout, dtype=np.float64), sky.sun)
+        return np.sqrt(np.mean((held.luminance(toward) / sky.luminance(toward) - 1) ** 2))
+
+    assert error(SkyView()) < 0.5 * error(EquirectangularOfWidth(width=192))

@@ -162,19 +162,18 @@ PHYSICAL = {
 }
 ONE_SUN = ("path-traced", "held", "captured-with-sun")
 """Those that have one sun."""
-TWILIGHT = (
-    "nishita-93",
-    "nishita-96",
-    "mars",
-    "path-traced",
-    "held",
-    "precomputed",
-    "hillaire",
-    "physical-sky",
-    "physical",
-    "prague",
-    "captured-square",
-    "captured-with-sun",
-    "scanned",
-)
-"""Those that have light when the sun is down."""
+LOWEST = {
+    "nishita-93": -12.0,
+    "nishita-96": -12.0,
+    "mars": -12.0,
+    "path-traced": -12.0,
+    "held": -12.0,
+    "precomputed": -6.0,
+    "hillaire": -6.0,
+    "physical-sky": -18.0,
+    "physical": -12.0,
+    "prague": -4.0,
+}
+"""Elevation of the sun, degrees, at which the light of those ends that have some when it has set; of others 0."""
+ANY_SUN = ("captured-square", "captured-with-sun", "scanned")
+"""Those whose light was captured, wherever the sun stood."""

@@ -54,15 +54,15 @@ def test_black_below_the_horizon(name):
     assert (sky.xyz(below) == 0).all()
 
 
-@every_sky
-def test_night(name):
-    sky = make(name, sun_at(-5.0))
-    light = sky.radiance(VIEWS, [450.0]) if name in TRACED else sky.luminance(VIEWS)
+@pytest.mark.parametrize("name", [name for name in catalogue.PHYSICAL if name not in catalogue.ANY_SUN])
+@pytest.mark.parametrize("beyond", [1.5, -0.3])
+def test_light_and_validity_end_at_the_same_sun(name, beyond):
+    sun = sun_at(catalogue.LOWEST.get(name, 0.0) + beyond)
+    sky, views = make(name, sun), np.concatenate([VIEWS, sun[None]])
+    light = sky.radiance(views, [450.0]) if name in TRACED else sky.luminance(views)
     assert np.isfinite(light).all()
     assert (light >= 0).all()
-    if name not in catalogue.TWILIGHT:
-        assert not sky.valid
-        assert (light == 0).all()
+    assert bool(sky.valid) == bool(sky.is_day) == (light.max() > 0) == (beyond > 0)
 
 
 @every_sky

@@ -16,5 +16,6 @@
 - scattering          How strongly gas and haze at the ground scatter light, by wavelength and angle
 - transmittance       Sunlight through clear air: what each constituent lets pass at each wavelength
 - gases/              Gases whose bands of lines saturate: water vapour, oxygen, carbon dioxide
+- clouds/             Clouds of water or ice: depth, absorption and phase functions by the size of their particles
 - mars                The air of Mars: thin carbon dioxide and much dust, each number with its source
 """

@@ -27,6 +27,11 @@ class Profile(ABC):
         """Mean height of the column, m, up to 200 km."""
         return mean_height(self)
 
+    @property
+    def edges(self) -> tuple[float, ...]:
+        """Heights, m, at which the density jumps: layers of air are cut there."""
+        return ()
+
 
 @cache
 def mean_height(profile: Profile) -> float:
@@ -104,6 +109,42 @@ class Tabulated(Profile):
         slope = (values[k + 1] - values[k]) / (knots[k + 1] - knots[k])
         result: np.ndarray = 1 - (whole[k] + values[k] * x + slope * x * x / 2) / self.column
         return np.maximum(result, 0.0)
+
+
+@dataclass(frozen=True)
+class Slab(Profile):
+    """One density from a `base` to a `top`, m, nothing outside: a layer of cloud.
+
+    >>> Slab(1000.0, 3000.0).above([0.0, 1500.0, 3000.0]).tolist()
+    [1.0, 0.75, 0.0]
+    """
+
+    base: float
+    top: float
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.base < self.top < 1e6:
+            raise ValueError(f"a slab needs 0 <= base < top < 1e6 m, got {self.base} and {self.top}")
+
+    @property
+    def mean_height(self) -> float:
+        """Its middle, m."""
+        return (self.base + self.top) / 2
+
+    @property
+    def edges(self) -> tuple[float, ...]:
+        """Base and top."""
+        return self.base, self.top
+
+    def density(self, heights: ArrayLike) -> Array:
+        """One over the thickness, m-1."""
+        h = np.asarray(heights, dtype=np.float64)
+        return np.where((h >= self.base) & (h <= self.top), 1 / (self.top - self.base), 0.0)
+
+    def above(self, heights: ArrayLike) -> Array:
+        """The part of the slab above."""
+        h = np.asarray(heights, dtype=np.float64)
+        return np.clip((self.top - h) / (self.top - self.base), 0.0, 1.0)
 
 
 OZONE_LAYER = Tabulated((10_000.0, 25_000.0, 40_000.0), (0.0, 1.0, 0.0))

@@ -134,7 +134,7 @@ def is_dark(order: MapOrder) -> bool:
     from skydome.sun.day import is_day
 
     kind = model_named(order.options.model)
-    return kind.has_sun and not kind.kind.knows_twilight and not is_day(moment_of(order.options).direction)
+    return kind.has_sun and not is_day(moment_of(order.options).direction, kind.kind.lowest_sun)
 
 
 def frame_facts(facts: dict[str, Any]) -> dict[str, Any]:

@@ -133,6 +133,15 @@ def tell_of_two(text: str, first: datetime) -> None:
     )
 
 
+def twilight_at(elevation: float) -> str:
+    """Name of the twilight in which a sun below the horizon stands.
+
+    >>> twilight_at(-7.0), twilight_at(-20.0)
+    ('nautical twilight', 'night')
+    """
+    return next(name for lowest, name in TWILIGHTS if elevation >= lowest or lowest == -90)
+
+
 def require_day(moment: Moment, model: str) -> None:
     """ValueError unless the sun is up, naming the twilight by the sun's depth and what the model has to say of it."""
     from skydome.sun.day import is_day
@@ -140,21 +149,22 @@ def require_day(moment: Moment, model: str) -> None:
     if is_day(moment.direction):
         return
     elevation = moment.elevation
-    name = next(name for lowest, name in TWILIGHTS if elevation >= lowest or lowest == -90)
     raise ValueError(
-        f"the sun must be above the horizon, got elevation {elevation:.2f} degrees ({name}): analytic models such as "
-        f"{model} end at elevation 0 and know no twilight (civil to -6, nautical to -12, astronomical to -18 degrees); "
+        f"the sun must be above the horizon, got elevation {elevation:.2f} degrees ({twilight_at(elevation)}): "
+        f"analytic models such as {model} end at elevation 0 and know no twilight "
+        f"(civil to -6, nautical to -12, astronomical to -18 degrees); "
         f"choose a time between sunrise and sunset{hint(moment, elevation)}"
     )
 
 
-def require_twilight(moment: Moment) -> None:
-    """ValueError for a sun below the end of astronomical twilight, where the sky has no light of it."""
-    lowest = TWILIGHTS[-2][0]
-    if moment.elevation < lowest:
+def require_light(moment: Moment, model: str, lowest: float) -> None:
+    """ValueError for a sun that does not stand above `lowest`, degrees, down to which a model has light."""
+    from skydome.sun.day import is_day
+
+    if not is_day(moment.direction, lowest):
         raise ValueError(
-            f"the sun must stand above {lowest} degrees, the end of astronomical twilight, got elevation "
-            f"{moment.elevation:.2f} degrees (night): the sky has no light of the sun then"
+            f"the sun must stand above {lowest:g} degrees, down to which {model} has light, got elevation "
+            f"{moment.elevation:.2f} degrees ({twilight_at(moment.elevation)})"
         )
 
 

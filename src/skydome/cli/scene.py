@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.models import build, hazed, turbidity_of
-from skydome.cli.moment import Moment, moment_of, require_day, require_twilight
+from skydome.cli.moment import Moment, moment_of, require_day, require_light
 from skydome.cli.night.eclipse import under_eclipse
 from skydome.cli.night.whole_scene import shows_the_night, whole_light
 from skydome.cli.options import SkyOptions, numbers
@@ -74,8 +74,8 @@ def moment_for(model: "Model", options: SkyOptions) -> Moment | None:
     if alone and (levelled or not given):
         return moment_of(options) if given else None
     moment = moment_of(replace(options, refraction=options.refraction and not model.kind.bends_light))
-    if model.kind.knows_twilight:
-        require_twilight(moment)
+    if model.kind.lowest_sun < 0:
+        require_light(moment, model.name, model.kind.lowest_sun)
     else:
         require_day(moment, model.name)
     return moment

@@ -5,6 +5,7 @@
 - projection         What every map projection answers: where a texel looks, where a direction falls; half pixels
 - projections        Every projection by name
 - equirectangular    Equirectangular maps: azimuth along the row, elevation down the column
+- sky_view           The sky-view map of games: latitude-longitude with its rows crowded at the horizon
 - equal_area_square  The equal-area octahedral square of pbrt-v4: every texel has the same solid angle
 - cube               Cube maps: six square faces in a vertical strip, in OpenGL's order and orientation
 - fisheye            Circular maps looking up: fisheye lenses, the angular map and the mirror ball

@@ -38,10 +38,18 @@ class LatitudeLongitude(Projection, Bounded):
         turn = 2 * np.pi * (np.asarray(column, dtype=np.float64) / self.shape(height)[1])
         return self.azimuth_left + (-turn if self.mirrored else turn)
 
+    def elevations(self, row: ArrayLike, height: int) -> np.ndarray:
+        """Elevation at continuous texel rows, radians."""
+        return np.asarray(np.pi * (0.5 - np.asarray(row, dtype=np.float64) / height))
+
+    def shares(self, from_zenith: np.ndarray) -> np.ndarray:
+        """How far down the map angles from the zenith stand, radians, 0 (zenith) to 1 (nadir)."""
+        return from_zenith / np.pi
+
     def toward(self, row: ArrayLike, column: ArrayLike, height: int) -> np.ndarray:
         """Unit vectors (..., 3) toward continuous texel coordinates."""
         azimuth = self.azimuths(column, height)
-        elevation = np.pi * (0.5 - np.asarray(row, dtype=np.float64) / height)
+        elevation = self.elevations(row, height)
         level = np.cos(elevation)
         up = np.broadcast_to(np.sin(elevation), np.broadcast_shapes(azimuth.shape, level.shape))
         return np.stack([np.sin(azimuth) * level, np.cos(azimuth) * level, up], axis=-1)
@@ -52,7 +60,7 @@ class LatitudeLongitude(Projection, Bounded):
         x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
         turn = (np.arctan2(x, y) - self.azimuth_left) / (2 * np.pi)
         u = np.mod(-turn if self.mirrored else turn, 1.0)
-        v = np.arctan2(np.hypot(x, y), z) / np.pi
+        v = self.shares(np.arctan2(np.hypot(x, y), z))
         return within(v * rows, rows), within(u * columns, columns), np.ones(np.shape(x), dtype=bool)
 
     def solid_angles(self, height: int, rows: slice = ALL_ROWS) -> np.ndarray:

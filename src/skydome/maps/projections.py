@@ -6,6 +6,7 @@ from skydome.maps.equirectangular import Equirectangular, EquirectangularOfWidth
 from skydome.maps.fisheye import Equidistant, Equisolid, Fisheye, Lens
 from skydome.maps.level_probe import LevelProbe
 from skydome.maps.projection import Projection
+from skydome.maps.sky_view import SkyView
 
 __all__ = [
     "CubeMap",
@@ -18,4 +19,5 @@ __all__ = [
     "Lens",
     "LevelProbe",
     "Projection",
+    "SkyView",
 ]

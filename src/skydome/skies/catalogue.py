@@ -1,7 +1,7 @@
 """The catalogue: every sky model by name, a row each, read by the command line, `fit`, `evaluate`, `train` and `year`.
 
 A new model is its file and a row in `CATALOGUE`. What the class itself tells (fields, `ranges`, rung, `source`,
-`knows_twilight`) is not told again.
+`lowest_sun`) is not told again.
 """
 
 from difflib import get_close_matches

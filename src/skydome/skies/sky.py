@@ -23,7 +23,7 @@ class Sky(LabelledLight, Shown, ABC):
     """A sky whose luminance is known: the first rung.
 
     `check` says what happens outside the model's validity: "raise" (default) refuses at construction, "clamp" moves
-    the parameter to the limit, "nan" answers NaN. A sun below the horizon is night: light 0 and `valid` False.
+    the parameter to the limit, "nan" answers NaN. A sun below `lowest_sun` is night: light 0 and `valid` False.
 
     >>> import skydome as sd
     >>> sky = sd.Uniform(1000.0) + 0.5 * sd.MoonSpencer(zenith_luminance=9000.0)
@@ -32,9 +32,10 @@ class Sky(LabelledLight, Shown, ABC):
     """
 
     source: ClassVar[str] = ""
-    knows_twilight: ClassVar[bool] = False  # whether the sky still has light when the sun has set
     shines_at_night: ClassVar[bool] = False  # whether its light is its own, whatever the sun does
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
+    knows_energy: ClassVar[bool] = False  # whether air and spectrum are known from 300 to 2500 nm
+    of_all_hours: ClassVar[bool] = False  # whether `sky_at` sums it with the night's lights, and dims it in eclipses
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:
@@ -67,7 +68,7 @@ class Sky(LabelledLight, Shown, ABC):
 
     @property
     def valid(self) -> Array:
-        """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
+        """True where every parameter lies in its range and it is day, boolean array of the parameters' shape."""
         return reduce(lambda a, b: a & b, self.checks(None) or [self.is_day])
 
     def seen(self, directions: Array) -> Array:
@@ -115,13 +116,12 @@ class Sky(LabelledLight, Shown, ABC):
 
 @dataclass(frozen=True, eq=False)
 class SunlitSky(Sky):
-    """A sky with a sun toward `sun`, (..., 3): dark where that has set."""
+    """A sky with a sun toward `sun`, (..., 3): dark where that stands below `lowest_sun`."""
 
     sun: Array
     directions_held: ClassVar[tuple[str, ...]] = ("sun",)
 
     def __post_init__(self) -> None:
-        """Validate only."""
         super().__post_init__()
         checked_directions(self.sun, "sun")
 
@@ -132,8 +132,8 @@ class SunlitSky(Sky):
 
     @property
     def is_day(self) -> Array:
-        """True where the sun stands above the horizon, boolean array (...,)."""
-        return is_day(floating(self.sun))
+        """True where the sun stands above the lowest that the sky has light for, boolean array (...,)."""
+        return is_day(floating(self.sun), self.lowest_sun)
 
     @property
     def one_sun(self) -> bool:
@@ -161,7 +161,7 @@ class SunlitSky(Sky):
 
     @property
     def valid(self) -> Array:
-        """True where every parameter lies in its range and the sun is up, boolean array of the parameters' shape."""
+        """True where every parameter lies in its range and it is day, boolean array of the parameters' shape."""
         return reduce(lambda a, b: a & b, [*self.checks(self.sun), self.is_day])
 
     def seen(self, directions: Array) -> Array:

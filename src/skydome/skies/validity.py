@@ -63,6 +63,8 @@ class Ranged(Bounded):
     """
 
     ranges: ClassVar[Mapping[str, Range]] = {}
+    lowest_sun: ClassVar[float] = 0.0
+    """Elevation of the sun, degrees, down to which a sky has light, within stated errors; there its night begins."""
     numbers_of_air: ClassVar[Mapping[str, Range]] = {}
     """Numbers that make a sky's air, which `from_numbers` takes beside its parameters."""
     check: Check = field(default="raise", kw_only=True)

@@ -26,10 +26,8 @@ BY_DAY_ALONE = {"blend_overcast": "--blend-overcast", "sun_size": "--sun-size", 
 
 
 def shows_the_night(model: "Model", options: SkyOptions) -> bool:
-    """True where a place and a time are given, the sun has set there or is all covered, and the sky is the physical."""
-    from skydome.skies.all_air.sky import PhysicalSky
-
-    if model.kind is not PhysicalSky or options.sun is not None or options.place is None or options.time is None:
+    """True where a place and a time are given, the sun has set there or is all covered, and the sky is of all hours."""
+    if not model.kind.of_all_hours or options.sun is not None or options.place is None or options.time is None:
         return False
     moment = moment_of(options)
     return float(moment.direction[2]) < 0 or is_total(moment)

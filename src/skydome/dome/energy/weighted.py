@@ -5,7 +5,7 @@ disc. What the air leaves of the sunlight is taken as linear between some wavele
 """
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -28,8 +28,7 @@ RINGS, COLUMNS = 16, 32
 def knows_energy(sky: Sky) -> bool:
     """True for skies of which `broadband` and its like can be asked."""
     discs, rest = discs_and_rest(sky)
-    known = [isinstance(disc, AtmosphereSun) for disc, _ in discs]
-    return all(known + [isinstance(part.single[0], PhysicalSky) for part in rest])
+    return all(part.knows_energy for part in [disc for disc, _ in discs] + [part.single[0] for part in rest])
 
 
 def parts_of(
@@ -40,14 +39,12 @@ def parts_of(
     require_energy(discs, rest)
     diffuse, direct, normal = 0.0, 0.0, 0.0
     for part in rest:
-        inner, factor = part.single
-        assert isinstance(inner, PhysicalSky)
+        inner, factor = cast(tuple[PhysicalSky, Any], part.single)
         if not beam_alone:
             held = inner if check is None or inner.check != "raise" else replace(inner, check=check)
             each = weights_of(inner.atmosphere, wavelengths, action) * factor
             diffuse = diffuse + diffuse_of(held, wavelengths) @ constant(each, inner.toward)
-    for disc, factor in discs:
-        assert isinstance(disc, AtmosphereSun)
+    for disc, factor in cast(list[tuple[AtmosphereSun, Any]], discs):
         beam = alone(disc.irradiance(wavelengths)) @ weights_of(disc.atmosphere, wavelengths, action) * factor
         height = np.maximum(alone(disc.sun)[..., 2], 0.0)
         direct, normal = direct + beam * height, normal + beam
@@ -56,8 +53,8 @@ def parts_of(
 
 def require_energy(discs: list[tuple[SunDisc, Any]], rest: list[Sky]) -> None:
     """TypeError that names all that must be left out, where some part does not know 300-2500 nm."""
-    wide = [inner for inner, _ in (part.single for part in rest) if not isinstance(inner, PhysicalSky)]
-    unknown = [*wide, *(disc for disc, _ in discs if not isinstance(disc, AtmosphereSun))]
+    wide = [inner for inner, _ in (part.single for part in rest) if not inner.knows_energy]
+    unknown = [*wide, *(disc for disc, _ in discs if not disc.knows_energy)]
     if unknown:
         first = f"{type(unknown[0]).__name__} does not know light of 300-2500 nm"
         known = "SunDisc.of(PhysicalSky)" if not wide else "PhysicalSky"

@@ -14,9 +14,9 @@ from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.rest import MIXED
 from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
 
-LOWEST = float(np.sin(np.radians(-18.0)))
-"""Sine of the sun's elevation from which on it is night: the end of astronomical twilight."""
-STEPS = (LOWEST, *(float(np.sin(np.radians(edge))) for edge in MIXED))
+LOWEST_SUN = -18.0
+"""Elevation of the sun, degrees, from which on it is night: the end of astronomical twilight."""
+STEPS = (float(np.sin(np.radians(LOWEST_SUN))), *(float(np.sin(np.radians(edge))) for edge in MIXED))
 """Sines of the elevations at which a kind of sun ends and the next begins."""
 FEW, MANY = 1 << 10, 1 << 14
 """Rays at a time: where nodes are made for each ray, or in arrays; and where they are those of the views."""

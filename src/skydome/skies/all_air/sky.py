@@ -19,7 +19,7 @@ from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, in_arrays
 from skydome.skies.all_air.heights import seen_from
 from skydome.skies.all_air.lit_air import LitAir, is_one
-from skydome.skies.all_air.many_suns import LOWEST, light_of_many
+from skydome.skies.all_air.many_suns import LOWEST_SUN, light_of_many
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
 from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
 from skydome.skies.all_air.polarised.network import PolarisedRest, with_polarisation
@@ -34,6 +34,7 @@ from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, s
 from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
+from skydome.sun.day import is_day
 
 WAVELENGTHS = Range(300.0, 2500.0, "nm")
 SMOOTH, SMOOTHER = 8, 4
@@ -62,8 +63,10 @@ class PhysicalSky(StokesSky):
     networks: str | PathLike[str] | Networks = Networks.FULL
     vector: bool = False
     polarisation: str | PathLike[str] | None = None
-    knows_twilight: ClassVar[bool] = True
+    lowest_sun: ClassVar[float] = LOWEST_SUN
     bends_light: ClassVar[bool] = True
+    knows_energy: ClassVar[bool] = True
+    of_all_hours: ClassVar[bool] = True
     numbers_of_air: ClassVar = NUMBERS
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
@@ -139,17 +142,12 @@ class PhysicalSky(StokesSky):
     @property
     def is_day(self) -> Array:
         """True where the sky has light of the sun: down to 18 degrees below the horizon, boolean array (...,)."""
-        return self.toward[..., 2] > LOWEST
+        return is_day(self.toward, self.lowest_sun)
 
     @property
     def valid(self) -> Array:
         """True where the air was taught, at 380-780 nm, and the sun stands above -18 degrees, boolean array (...,)."""
         return optics(self.atmosphere, SpectralSky.bands, self.toward).allowed & self.is_day
-
-    @property
-    def valid_held(self) -> Array:
-        """As the sky itself: the table is made of what the networks give."""
-        return np.asarray(self.valid)
 
     def at(self, wavelengths: np.ndarray) -> LitAir:
         """The air at wavelengths (W,); ValueError in one line where `check` is "raise" and the air was not taught."""

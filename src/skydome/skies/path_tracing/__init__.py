@@ -1,6 +1,7 @@
 """The sky by brute force: paths of light through spherical shells of air.
 
 - sky                  The sky by brute force, backward Monte Carlo in spherical shells, all orders, ground
+- tracing              What paths have brought so far, with its error: merged, stored, taken up
 - tables               What the kernels read: an atmosphere's geometry, depths and phase laws as plain arrays
 - guide                What guides paths in twilight: coarse tables of the light in the air
 - many_suns            The other way to find the sun: by chance, with many suns in the sky at once

@@ -20,13 +20,6 @@ class AtmosphereSky(SunlitSky, SpectralSky):
 
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
-    lowest_held: ClassVar[float] = 0.0
-    """Elevation of the sun, degrees, down to which tables of the sky (`held`) were tested."""
-
-    @property
-    def valid_held(self) -> Array:
-        """True where a table of this sky may be trusted, boolean array (...,)."""
-        return np.asarray(floating(self.sun)[..., 2] > math.sin(math.radians(self.lowest_held)))
 
     @property
     def albedo(self) -> Any:

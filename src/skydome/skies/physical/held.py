@@ -66,8 +66,13 @@ class HeldSky(SunlitSky, ColourSky):
 
     @property
     def valid(self) -> Array:
-        """True where the sky that is held says that a table of it may be trusted."""
-        return self.sky.valid_held
+        """Where the sky that is held is."""
+        return self.sky.valid
+
+    @property
+    def is_day(self) -> Array:
+        """Where the sky that is held has light."""
+        return self.sky.is_day
 
     def own_disc(self, angular_radius: Any) -> SunlitSky | None:
         """That of the sky that is held."""
@@ -160,7 +165,7 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
         raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
     w, views = SpectralSky.bands if bands is None else bands, node_directions(sun)
     whole = (sky.radiance(views, w) if light is None else light) / sky.sunlight(views, w)
-    once = strengths(air, views, sun, w)
+    once = strengths(air, views, sun, w) * bool(sky.is_day)
     rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
     colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
     fields = colours.of_light(np.concatenate([once, rest[None]]), air.gases, sun[2], views[:, 2])

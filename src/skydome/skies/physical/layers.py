@@ -13,7 +13,13 @@ from skydome.air.phase_functions import legendre
 from skydome.ground.arrays import Array
 
 LEVELS = np.array([1, 0.7, 0.5, 0.4, 0.3, 0.25, 0.2, 0.16, 0.13, 0.1, 0.08, 0.06, 0.045, 0.03, 0.02, 0.01, 0.005, 0])
-"""Heights of the layers' edges as parts of the whole, from the top down."""
+"""Heights of the layers' edges as parts of the whole, from the top down, where no cloud begins or ends."""
+
+
+def edges_of(atmosphere: Atmosphere) -> np.ndarray:
+    """Heights of the layers' edges, m, from the top down: `LEVELS`, and wherever a constituent's density jumps."""
+    jumps = [edge for part in atmosphere.constituents for edge in part.profile.edges if edge < atmosphere.height]
+    return np.unique([*(LEVELS * atmosphere.height), *jumps])[::-1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,6 +28,8 @@ class Layers:
 
     atmosphere: Atmosphere
     wavelengths: np.ndarray
+    heights: np.ndarray
+    """Of the layers' edges, m, (L + 1,)."""
     depth: np.ndarray
     scattered: np.ndarray
     mix: np.ndarray
@@ -52,7 +60,7 @@ class Layers:
     @property
     def radii(self) -> Array:
         """Distance of the layers' edges from the planet's centre, m, from the top down, (L + 1,)."""
-        return np.asarray(self.atmosphere.radius + LEVELS * self.atmosphere.height)
+        return np.asarray(self.atmosphere.radius + self.heights)
 
     def single(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
         """Light scattered once by the true phase functions in round layers of scaled depth, sr-1, shape (D, W)."""
@@ -81,7 +89,7 @@ class Layers:
 
 def layered(atmosphere: Atmosphere, wavelengths: np.ndarray, streams: int) -> Layers:
     """The atmosphere in plane layers at wavelengths (W,), with moments up to the number of streams."""
-    heights = LEVELS * atmosphere.height
+    heights = edges_of(atmosphere)
     depths = np.stack(
         [layer_depths(part, heights)[:, None] * part.depth(wavelengths) for part in atmosphere.constituents]
     )
@@ -91,7 +99,7 @@ def layered(atmosphere: Atmosphere, wavelengths: np.ndarray, streams: int) -> La
     mix = scattering / np.where(kept > 0, kept, 1.0)
     expansion = np.einsum("klw,knw->nlw", mix, moments)
     expansion[0] = 1.0
-    return Layers(atmosphere, wavelengths, total, np.minimum(kept / total, 1 - 1e-9), mix, expansion)
+    return Layers(atmosphere, wavelengths, heights, total, np.minimum(kept / total, 1 - 1e-9), mix, expansion)
 
 
 def layer_depths(part: object, heights: np.ndarray) -> Array:

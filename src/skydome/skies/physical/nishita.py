@@ -45,8 +45,7 @@ class Nishita93(AtmosphereSky):
     [0.041, 0.015]
     """
 
-    knows_twilight: ClassVar[bool] = True
-    lowest_held: ClassVar[float] = -12.0
+    lowest_sun: ClassVar[float] = -12.0
     source: ClassVar[str] = "Nishita, Sirai, Tadamura, Nakamae 1993, eq. 4-9"
     quick_to_see: ClassVar[bool] = False
 
@@ -65,7 +64,7 @@ class Nishita93(AtmosphereSky):
             found = np.zeros((len(flat), w.size))
             found[up] = self.under_one_sun(table, suns[index], flat[up], w)
             light[place] = found.reshape(*views.shape[:-1], w.size)
-        return light * self.sunlight(directions, w)
+        return np.asarray(self.blanked(light, directions)) * self.sunlight(directions, w)
 
     def under_one_sun(self, table: ColumnTable, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Light scattered once, for a sun of irradiance 1, sr-1, shape (D, W)."""

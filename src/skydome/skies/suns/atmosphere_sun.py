@@ -33,6 +33,7 @@ class AtmosphereSun(SunDisc):
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
     ranges: ClassVar = {"angular_radius": Range(1e-5, 0.1, "rad")}
+    knows_energy: ClassVar[bool] = True
     source: ClassVar[str] = "the atmosphere's sunlight and depths; limb darkening of Hosek and Wilkie 2013"
 
     def centre_radiance(self, wavelengths: Any) -> Array:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skydome.dome.patches import Patches
-from skydome.skies.all_air.many_suns import LOWEST
+from skydome.sun.day import is_day
 from skydome.sun.position import earth_sun_distance
 from skydome.years.skies.colour_year import Weathered, clear_sky, lender
 from skydome.years.skies.perez_year import PerezYear
@@ -20,14 +20,14 @@ def with_twilight(
 ) -> tuple[PerezYear, Weathered]:
     """The lit hours and their weather with those of twilight after them, whose light is put into `data`.
 
-    They are the intervals at whose middle the sun is within 18 degrees below the horizon, flagged "twilight":
-    luminance and diffuse illuminance are those of the clear sky of that `colour`, for nothing measured tells of
+    They are the intervals at whose middle the sun is below the horizon and the clear sky of that `colour` has light
+    (`lowest_sun`), flagged "twilight": luminance and diffuse illuminance are its own, for nothing measured tells of
     clouds. A sky that knows no twilight adds none.
     """
-    luminance = data["luminance"].values
-    down = (sky.share == 0) & (sky.suns[:, 2] <= 0) & (sky.suns[:, 2] > LOWEST) & ~np.isnan(luminance[:, 0])
+    luminance, lowest = data["luminance"].values, lender(colour).kind.lowest_sun
+    down = (sky.share == 0) & (sky.suns[:, 2] <= 0) & is_day(sky.suns, lowest) & ~np.isnan(luminance[:, 0])
     rows = np.flatnonzero(down)
-    if not len(rows) or not lender(colour).kind.knows_twilight:
+    if not len(rows):
         return sky, air
     haze = np.broadcast_to(np.asarray(turbidity, dtype=np.float64), down.shape)[rows]
     nearer = earth_sun_distance(sky.times[rows]) ** -2

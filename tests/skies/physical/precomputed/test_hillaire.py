@@ -45,3 +45,7 @@ def test_against_all_orders(table):
 def test_errors_in_one_line(table):
     with pytest.raises(ValueError, match="table must be that of the sky's atmosphere"):
         sd.Hillaire(SUN, sd.Atmosphere.mars(), table=table)
+    with pytest.raises(TypeError, match="atmosphere must be of kind Atmosphere"):
+        sd.MultipleScatteringTable.of("x", WAVELENGTHS)
+    with pytest.raises(TypeError, match="table must be of kind MultipleScatteringTable"):
+        sd.Hillaire.by("x", SUN)

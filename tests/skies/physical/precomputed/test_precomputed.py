@@ -100,6 +100,12 @@ def test_higher_up_the_sky_darkens_and_the_haze_is_below(tables):
 def test_errors_in_one_line(tables):
     with pytest.raises(ValueError, match=r"orders must lie in \[1, 100\], got 0"):
         sd.ScatteringTables.of(AIR, WAVELENGTHS, 0)
+    with pytest.raises(TypeError, match=r"atmosphere must be of kind Atmosphere, as Atmosphere.standard\(\), got"):
+        sd.ScatteringTables.of("x", WAVELENGTHS)
+    with pytest.raises(TypeError, match="tables must be of kind ScatteringTables"):
+        sd.PrecomputedScattering.by("x", sun_at(30.0))
+    with pytest.raises(TypeError, match="sizes must be of kind Sizes or None"):
+        sd.ScatteringTables.of(AIR, WAVELENGTHS, sizes=3)
     with pytest.raises(ValueError, match="views must be even, got 33"):
         Sizes(views=33)
     with pytest.raises(ValueError, match="tables must be those of the sky's atmosphere"):

@@ -14,7 +14,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from skydome.ground.arguments import require_kind
-from skydome.ground.arrays import Array, as_numpy
+from skydome.ground.arrays import Array, as_numpy, floating
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import SHARE, Range
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
@@ -24,6 +24,7 @@ from skydome.skies.physical.prague.file import Curves, PragueFile, read_prague
 from skydome.skies.physical.prague.geometry import SAFETY, Angles, Place, angles_of, dip
 from skydome.skies.physical.prague.transmittance import transmittance_of
 from skydome.skies.sky import SunlitSky
+from skydome.sun.day import is_day
 
 AT_ONCE = 1 << 14
 """Directions computed together."""
@@ -61,7 +62,7 @@ class Prague(SunlitSky, SpectralSky):
     albedo: Any = None
     altitude: Any = 0.0
     bounds: ClassVar = {"visibility": Range(1.0, 1e7, "m"), "albedo": SHARE, "altitude": Range(-500.0, 1e5, "m")}
-    knows_twilight: ClassVar[bool] = True
+    lowest_sun: ClassVar[float] = -4.2
     source: ClassVar[str] = "Wilkie et al. 2021; Vevoda et al. 2022"
 
     def __post_init__(self) -> None:
@@ -70,6 +71,16 @@ class Prague(SunlitSky, SpectralSky):
         if self.albedo is None:
             object.__setattr__(self, "albedo", float(self.held.albedos[np.abs(self.held.albedos - 0.2).argmin()]))
         super().__post_init__()
+
+    @property
+    def lowest(self) -> float:
+        """Elevation of the file's lowest sun, degrees."""
+        return float(self.held.elevations[0]) - NIGHT
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sun stands above the file's lowest, boolean array (...,)."""
+        return is_day(floating(self.sun), self.lowest)
 
     @property
     def held(self) -> PragueFile:
@@ -166,7 +177,7 @@ class Prague(SunlitSky, SpectralSky):
         held = self.held
         found = np.zeros((len(views), bands.size))
         elevation = float(np.degrees(np.arcsin(np.clip(one.sun[2], -1, 1))))
-        if elevation < held.elevations[0] - NIGHT:
+        if not is_day(one.sun, self.lowest):
             return found
         values = (one.visibility, one.albedo, one.altitude + SAFETY, elevation)
         axes = (held.visibilities, held.albedos, held.altitudes, held.elevations)

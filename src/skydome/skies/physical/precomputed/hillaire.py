@@ -14,6 +14,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.rays import ColumnTable, rays
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import checked_wavelengths
@@ -50,6 +51,7 @@ class MultipleScatteringTable:
     @classmethod
     def of(cls, atmosphere: Atmosphere, wavelengths: Any) -> Self:
         """The table at wavelengths (W,) nm."""
+        require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
         w = checked_wavelengths(wavelengths)
         table = ColumnTable.of(atmosphere, 144, 128)
         heights, suns = np.linspace(0, atmosphere.height, HEIGHTS), np.linspace(-1, 1, SUNS)
@@ -170,6 +172,7 @@ class Hillaire(TabledSky):
     @classmethod
     def by(cls, table: MultipleScatteringTable, sun: Array, height: float = 0.0) -> Self:
         """The sky of a sun (..., 3) by a table, seen from a height above the ground, m."""
+        require_kind(table, MultipleScatteringTable, "table", "MultipleScatteringTable.of(atmosphere, wavelengths)")
         return cls(sun, table.atmosphere, height, table)
 
     @cached_property

@@ -6,6 +6,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.skies.all_air.spectral_nodes import NODES
 from skydome.skies.physical.precomputed.along import scattered_once
@@ -46,7 +47,14 @@ class PrecomputedScattering(TabledSky):
     @classmethod
     def by(cls, tables: ScatteringTables, sun: Array, height: float = 0.0, exact_first: bool = True) -> Self:
         """The sky of a sun (..., 3) by tables, seen from a height above the ground, m."""
+        require_kind(tables, ScatteringTables, "tables", "ScatteringTables.of(atmosphere, wavelengths)")
         return cls(sun, tables.atmosphere, height, exact_first=exact_first, tables=tables)
+
+    @property
+    def lowest(self) -> float:
+        """Elevation of the lowest sun held, by the tables given too, degrees."""
+        given = -90.0 if self.tables is None else float(np.degrees(np.arcsin(self.tables.shell.lowest_sun)))
+        return max(self.lowest_sun, given)
 
     @cached_property
     def known(self) -> ScatteringTables:

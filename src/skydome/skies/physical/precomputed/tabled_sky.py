@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 
 from skydome.air.rays import ColumnTable
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, floating
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
@@ -17,6 +17,7 @@ from skydome.skies.physical.discrete_ordinates import across
 from skydome.skies.physical.precomputed.along import scattered_once, sun_at_end
 from skydome.skies.physical.precomputed.grid import Shell
 from skydome.skies.physical.precomputed.observer import Lines, lines
+from skydome.sun.day import is_day
 
 RAYS = 512
 """Rays that are followed at a time."""
@@ -49,8 +50,7 @@ class TabledSky(AtmosphereSky):
 
     height: float = 0.0
     bounds: ClassVar = {"height": Range(0.0, 1e9, "m")}
-    knows_twilight: ClassVar[bool] = True
-    lowest_held: ClassVar[float] = -6.0
+    lowest_sun: ClassVar[float] = -6.0
     quick_to_see: ClassVar[bool] = False
 
     @property
@@ -62,6 +62,17 @@ class TabledSky(AtmosphereSky):
     def columns(self) -> ColumnTable:
         """Columns of the air."""
         return ColumnTable.of(self.atmosphere, 144, 128)
+
+    @property
+    def lowest(self) -> float:
+        """Elevation of the lowest sun that the sky's tables hold too, degrees."""
+        return self.lowest_sun
+
+    @property
+    def is_day(self) -> Array:
+        """True where the sun stands above the lowest held, boolean array (...,); in space always."""
+        day = np.asarray(is_day(floating(self.sun), self.lowest))
+        return day | (self.height > self.atmosphere.height)
 
     def seen(self, directions: Array) -> Array:
         """True toward directions (..., 3) that have light: from the ground those above the horizon, else all."""
@@ -95,7 +106,7 @@ class TabledSky(AtmosphereSky):
         )
         shape = np.broadcast_shapes(views.shape, suns.shape)[:-1]
         light = np.zeros((*shape, wavelengths.size))
-        for index in np.ndindex(suns.shape[:-1]):
+        for index in map(tuple, np.argwhere(self.is_day)):
             place = across(index, suns.shape[:-1], shape)
             there = np.broadcast_to(views, (*shape, 3))[place]
             found = self.under_one_sun(suns[index], there.reshape(-1, 3), wavelengths, between)
@@ -109,7 +120,8 @@ class TabledSky(AtmosphereSky):
         for start in range(0, len(seen), RAYS):
             part = seen[start : start + RAYS]
             line = lines(shell, self.height, views[part], sun)
-            found[part] = self.known.again(line) @ between + self.once(line, wavelengths, between)
+            held = line.mu_s > np.sin(np.radians(self.lowest))
+            found[part] = held[:, None] * (self.known.again(line) @ between) + self.once(line, wavelengths, between)
         return found
 
     def once(self, line: Lines, wavelengths: np.ndarray, between: np.ndarray) -> Array:

@@ -18,6 +18,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import shared
 from skydome.ground.extras import required
@@ -30,6 +31,8 @@ from skydome.skies.physical.precomputed.observer import Lines
 from skydome.skies.physical.precomputed.orders import Orders
 
 ORDERS = Range(1, 100)
+SUNS = Range(-1.0, -0.01)
+"""Cosines of zenith angles that the lowest sun may have."""
 FEWEST = 8
 """Wavelengths from which a spectrum follows."""
 BELOW, BEYOND = 20.0, 80.0
@@ -73,6 +76,9 @@ class ScatteringTables:
         ValueError for orders below 1 or above 100. Needs the extra `fast` (numba).
         """
         required("numba", "fast", "ScatteringTables")
+        require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
+        require_kind(sizes, Sizes | None, "sizes", "Sizes()")
+        require("lowest_sun", lowest_sun, SUNS)
         require("orders", orders, ORDERS)
         w, chosen = checked_wavelengths(wavelengths), sizes or Sizes()
         steps = Orders(shell_of(atmosphere, lowest_sun), chosen, medium(atmosphere, w, chosen, lowest_sun))

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from skydome.air.phase_laws import Rayleigh
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.ground.writing import appearing
 from skydome.skies.physical.precomputed.grid import PUBLISHED, Sizes
@@ -50,6 +51,7 @@ class ScatteringTextures:
     @classmethod
     def of(cls, tables: ScatteringTables) -> "ScatteringTextures":
         """Those of tables at three wavelengths; ValueError for others, and for air without molecules."""
+        require_kind(tables, ScatteringTables, "tables", "ScatteringTables.of(atmosphere, wavelengths)")
         if tables.wavelengths.size != 3:
             raise ValueError(f"textures need tables at three wavelengths, got {tables.wavelengths.size}")
         if not isinstance(tables.laws[0], Rayleigh):
