@@ -1,1 +1,16 @@
-"""x"""
+"""Fields of cloud: shapes in three dimensions, and the sky that they make of a clear one.
+
+- noise            Noise of space, periodic: gradient noise and cellular noise from a hash of the lattice
+- noise_kernel     The same compiled
+- kinds            The kinds of cloud: where they float, how thick and dense they are, and their shape as noise
+- field            A field of cloud: extinction at every place over the ground, repeating, drifting with the wind
+- medium_kernel    Extinction at a place, means over coarse cells, depths along rays, compiled
+- lit_field        A field under its lights: depths toward the sun, diffused light of sun, sky and ground
+- diffusion_kernel  Diffusion of light through a coarse grid, compiled
+- march_kernel     Rays through a lit field, compiled
+- incident         The light of a clear sky on a field, in channels, and the air before the cloud
+- sky              A sky of clouds
+- shadows          What a field lets straight through of the sun, over the ground: shadows as a map
+- reference        A sky of clouds by brute force: paths of light through the field, with standard errors
+- tracing_kernel   Those paths, compiled
+"""

@@ -159,7 +159,7 @@ class LitField:
         views = np.ascontiguousarray(directions, np.float64)
         out = np.empty((len(views), 5))
         kind = self.field.kind
-        numbers = np.array([self.kept, FARTHEST, 1.5 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)])
+        numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)])
         given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, self.phase, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
         return out

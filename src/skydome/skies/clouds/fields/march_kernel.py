@@ -16,7 +16,7 @@ from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.clouds.fields.medium_kernel import extinction
 
 compiled, part = job(), inlined()
-GONE = 2e-3
+GONE = 5e-3
 """Transmittance at which a ray ends."""
 FOUR_PI = 4 * math.pi
 

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
@@ -46,7 +47,8 @@ class CloudySky(SpectralSky):
     field: CloudField
     kinds: ClassVar = {"clear": (PhysicalSky, "PhysicalSky(sun)"), "field": (CloudField, "CloudField(cover=0.4)")}
     source: ClassVar[str] = "single scattering (TMS) and diffusion in three dimensions through procedural cloud"
-    knows_twilight: ClassVar[bool] = True
+    lowest_sun: ClassVar[float] = PhysicalSky.lowest_sun
+    knows_energy: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -77,6 +79,16 @@ class CloudySky(SpectralSky):
     def valid(self) -> Array:
         """That of the clear sky."""
         return self.clear.valid
+
+    @property
+    def atmosphere(self) -> Atmosphere:
+        """The clear sky's air."""
+        return self.clear.atmosphere
+
+    @property
+    def toward(self) -> Array:
+        """The sun, where it stands."""
+        return self.clear.toward
 
     @property
     def albedo(self) -> Any:
@@ -130,6 +142,7 @@ class SunBehindClouds(SunlitSky):
     """What a sky of clouds tells of its sun."""
 
     sky: CloudySky
+    lowest_sun: ClassVar[float] = PhysicalSky.lowest_sun
 
     def luminance(self, directions: Array) -> Array:
         """The sky's, cd m-2."""

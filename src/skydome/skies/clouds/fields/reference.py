@@ -1,0 +1,132 @@
+"""A sky of clouds by brute force: paths of light through the field, all orders, with standard errors."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.arrays import Array
+from skydome.ground.compiled import shared
+from skydome.ground.directions import checked_directions, direction
+from skydome.ground.files.contents import digest_of
+from skydome.skies.clouds.fields.incident import Incident
+from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.sky import CloudySky
+from skydome.skies.path_tracing.tracing import Tracing
+
+ELEVATIONS, AZIMUTHS = 33, 64
+"""Of the table of the clear sky that paths end in."""
+SHARES = 8193
+"""Of the phase function's integral at which scattering angles are kept."""
+PATHS_PER_PIECE = 64
+MEANING = 1
+"""Counted up whenever a seed comes to mean other paths."""
+
+
+@dataclass(frozen=True, eq=False)
+class CloudTracing:
+    """What is traced: the colours of a `sky` of clouds toward `directions` (D, 3), XYZ, (D, 3).
+
+    `CloudTracing(sky, views).start().until(0.05)` is a `Tracing` to be stored, taken up and merged. Light meets the
+    cloud from the sun, from the clear sky by direction, and from the ground. Delta tracking (Woodcock et al. 1965),
+    next-event estimation by ratio tracking. The air between cloud and eye is that of the fast form.
+
+    >>> import skydome as sd
+    >>> from skydome.skies.clouds.fields.field import CloudField
+    >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
+    >>> sky = CloudySky(sd.PhysicalSky(sun), CloudField(cover=0.4, seed=7))
+    >>> CloudTracing(sky, sd.ZENITH[None]).start().more(2).radiance.shape
+    (1, 3)
+    """
+
+    sky: CloudySky
+    directions: np.ndarray
+    seed: int = 0
+    paths_per_pass: int = 8
+
+    def __post_init__(self) -> None:
+        checked_directions(self.directions)
+
+    exact = 0.0
+    sunlight = np.ones(1)
+
+    def start(self) -> Tracing:
+        """A tracing without any pass."""
+        nothing = np.zeros((len(self.directions), 3))
+        return Tracing(self, (), nothing, nothing)
+
+    @cached_property
+    def clear(self) -> np.ndarray:
+        """The clear sky toward the directions, (D, 3)."""
+        return np.asarray(self.sky.clear.xyz(self.directions))
+
+    @cached_property
+    def ends(self) -> np.ndarray:
+        """The clear sky where paths end, (ELEVATIONS, AZIMUTHS, 3)."""
+        around = np.arange(AZIMUTHS) * (2 * np.pi / AZIMUTHS)
+        views = direction(around, np.linspace(0, np.pi / 2, ELEVATIONS)[:, None])
+        return np.ascontiguousarray(self.sky.clear.xyz(views))
+
+    @cached_property
+    def lights(self) -> tuple[np.ndarray, ...]:
+        """Toward the sun; its light at the cloud and at the ground; the ground's albedo, in the channels."""
+        light = self.sky.colours
+        weights, albedo = light.channels.weights, np.asarray(light.air.albedo_at(light.channels.wavelengths))
+        below = light.sun_below @ weights
+        reflected = (light.sun_below + light.sky) * albedo @ weights / ((light.sun_below + light.sky) @ weights)
+        return light.lit.sun, light.sun @ weights, below, reflected
+
+    def one_pass(self, number: int) -> Array:
+        """Mean colours by one pass's paths, (D, 3)."""
+        light, views = self.sky.colours, np.ascontiguousarray(self.directions, np.float64)
+        found = traced_through(light.lit, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
+        return through_the_air(light, self.clear, self.directions, found, self.lights[1])
+
+    def fingerprint(self) -> str:
+        """A hash of everything that the result depends on but the passes."""
+        return digest_of(MEANING, self.sky.parameters(), self.sky.clear, self.sky.field, self.directions, self.seed)
+
+
+def traced_through(
+    lit: LitField, views: np.ndarray, lights: Any, ends: np.ndarray, paths: int, seed: int, number: int
+) -> np.ndarray:
+    """Light of the cloud toward views (D, 3), share that passes, mean distance of collisions, (D, C + 2)."""
+    from skydome.skies.clouds.fields.tracing_kernel import traced
+
+    out = np.empty((len(views), ends.shape[2] + 2))
+    given = (lit.field.medium, views, lit.gaps, lit.steps[0], laws_of(lit), lights, ends, paths, seed, number, out)
+    shared(traced, len(views), len(views) * paths, given, PATHS_PER_PIECE)
+    return out
+
+
+def through_the_air(
+    light: Incident, clear: np.ndarray, views: np.ndarray, found: np.ndarray, sun: np.ndarray
+) -> np.ndarray:
+    """Colours toward views of what paths found in the cloud, with the air before it, (D, C)."""
+    channels = clear.shape[1]
+    before, behind, _, _ = np.moveaxis(light.at(views[:, 2], found[:, channels + 1]), 1, 0)
+    passed = found[:, channels : channels + 1]
+    return np.asarray(clear * (passed + (1 - passed) * before) + found[:, :channels] * behind / sun)
+
+
+def laws_of(lit: LitField, share: float = 1.0) -> tuple[np.ndarray, np.ndarray, float]:
+    """The phase function at even angles, the angles at even shares of its integral, and the share scattered."""
+    law, angles = lit.field.kind.phase, np.linspace(0, np.pi, 20 * SHARES)
+    value = np.asarray(law.value(np.cos(angles), [550.0]))[:, 0] * np.sin(angles)
+    whole = np.concatenate([[0.0], np.cumsum(value[1:] + value[:-1])])
+    drawn = np.interp(np.linspace(0, 1, SHARES), whole / whole[-1], angles)
+    return np.ascontiguousarray(lit.phase[0]), drawn, share
+
+
+def photon_shares(lit: LitField, count: int, share: float = 1.0, seed: int = 0) -> np.ndarray:
+    """Of `count` photons from the sun on the field: sent up, down scattered, down straight, absorbed, (4,).
+
+    `share` of what is taken out of the light is scattered, the rest absorbed. The ground is black.
+    """
+    from skydome.skies.clouds.fields.tracing_kernel import photons
+
+    out = np.zeros(4)
+    kind = lit.field.kind
+    photons(0, count, lit.field.medium, lit.gaps, lit.steps[0], laws_of(lit, share), lit.sun, kind.period, seed, out)
+    return out / count
