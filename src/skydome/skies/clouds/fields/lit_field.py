@@ -17,6 +17,8 @@ from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
 
 ANGLES = 3601
+LOWEST = 0.01
+"""Sine of the elevation of the lowest sun whose shadows are let down."""
 FARTHEST = 120_000.0
 """How far cloud is sought, m."""
 OPEN_TO_SUN, OPEN_TO_SKY = 1.0 / 620.0, 1.0 / 4000.0
@@ -34,12 +36,17 @@ class LitField:
 
     field: CloudField
     sun: np.ndarray
+    coarseness: int = 2
+    """Places of the shape along a side of a cell of the coarse grid."""
 
     @classmethod
-    def of(cls, field: CloudField, sun: Any) -> "LitField":
-        """ValueError unless there is one sun above the horizon; ImportError without Numba."""
+    def of(cls, field: CloudField, sun: Any, coarseness: int = 2) -> "LitField":
+        """ImportError without Numba; a lower sun than `LOWEST` lets down shadows as one there."""
         required("numba", "fast", "a field of cloud")
-        return cls(field, np.asarray(sun, np.float64))
+        sun = np.asarray(sun, np.float64)
+        high = max(float(sun[2]), LOWEST)
+        flat = np.sqrt(1 - high * high) / max(np.hypot(sun[0], sun[1]), 1e-12)
+        return cls(field, np.array([sun[0] * flat, sun[1] * flat, high]), coarseness)
 
     @cached_property
     def asymmetry(self) -> float:
@@ -54,7 +61,7 @@ class LitField:
     @property
     def cells(self) -> int:
         """Of the coarse grid along the period."""
-        return min(self.field.kind.count, max(16, self.field.kind.count // 2))
+        return max(16, self.field.kind.count // self.coarseness)
 
     @property
     def steps(self) -> tuple[float, float]:

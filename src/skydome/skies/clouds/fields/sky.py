@@ -23,8 +23,6 @@ from skydome.skies.suns.sun_disc import SunDisc
 
 CHUNK = 1 << 16
 """Views at a time."""
-LOWEST = 0.01
-"""Sine of the elevation under which the sun is not let down for the shadows of clouds on each other."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +57,7 @@ class CloudySky(SpectralSky):
     @cached_property
     def lit(self) -> LitField:
         """The field under its sun."""
-        sun = np.asarray(self.clear.seen_sun, np.float64)
-        level = np.hypot(sun[0], sun[1])
-        high = max(float(sun[2]), LOWEST)
-        flat = np.sqrt(1 - high * high) / max(level, 1e-12)
-        return LitField.of(self.field, np.array([sun[0] * flat, sun[1] * flat, high]))
+        return LitField.of(self.field, self.clear.seen_sun)
 
     @property
     def sunlit(self) -> "SunBehindClouds":

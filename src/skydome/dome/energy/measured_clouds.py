@@ -1,0 +1,306 @@
+"""Clouds that carry measured light: a field whose sky has the direct and diffuse irradiance that were measured."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.dome.energy.weighted import weights_of
+from skydome.ground.arguments import require_kind
+from skydome.ground.directions import checked_directions
+from skydome.ground.limits.ranges import Range, require, require_one
+from skydome.ground.quadrature import hemisphere
+from skydome.ground.tables import columns
+from skydome.ground.units import SOLAR_CONSTANT
+from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
+from skydome.skies.all_air.taught_air import clear_air
+from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.incident import Channels, Incident
+from skydome.skies.clouds.fields.kinds import Cumulus
+from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.shadows import sun_share
+from skydome.skies.clouds.fields.sky import CloudySky
+from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.suns.sun_disc import SunDisc
+
+HAZES = np.array([0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.22, 0.3, 0.4, 0.6, 0.9])
+"""Optical depths of aerosol at 550 nm that are looked among."""
+USUAL_HAZE = 4
+OPEN_SUN = 0.85
+"""Share of the clear sun from which on no cloud is taken to stand before it."""
+RINGS, AROUND = 48, 96
+"""Nodes of the dome."""
+KNOTS = (
+    (0.04, 0.4), (0.12, 0.7), (0.25, 1.0), (0.45, 1.0), (0.65, 1.0), (0.85, 1.0), (1.0, 1.3), (1.0, 3.0), (1.0, 8.0),
+    (1.0, 20.0),
+)  # fmt: skip
+"""Covers, and extinctions over the kind's usual one, that are gone along: from a few thin clouds to a dark cover."""
+NEAR = 0.1
+"""Greatest part by which the level may be moved in the end; what needs more is refused."""
+SEEN = 1e-3
+"""Share of the sun's light below which its disc is not seen."""
+PLACES = 32
+"""Places along the field's period that are looked at for the sun."""
+LOWEST = 2.0
+"""Elevation of the sun, degrees, from which on clouds are looked for."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredClouds:
+    """A sky with clouds that carries measured light: `whole` is `sky` with the sun's `disc`.
+
+    `diffuse_factor`, `direct_factor`: by what the sky's and the disc's light were multiplied in the end, near 1.
+    """
+
+    sky: SpectralSky
+    disc: SunDisc
+    cloudy: CloudySky
+    diffuse_factor: float
+    direct_factor: float
+
+    @property
+    def whole(self) -> SpectralSky:
+        """Sky and disc."""
+        both: SpectralSky = self.sky + self.disc  # type: ignore[assignment]
+        return both
+
+    @property
+    def field(self) -> CloudField:
+        """The field of cloud."""
+        return self.cloudy.field
+
+
+@dataclass(frozen=True, eq=False)
+class Clear:
+    """A clear sky under a sun, and its energy."""
+
+    sky: PhysicalSky
+
+    @cached_property
+    def channels(self) -> Channels:
+        """The whole spectrum's energy."""
+        known = columns("spectrl2_gases")["wavelength_nm"]
+        known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)]
+        return Channels(known, weights_of(self.sky.atmosphere, known, np.ones_like)[:, None])
+
+    @cached_property
+    def beam(self) -> float:
+        """Direct normal irradiance, W m-2, to 3,900 nm."""
+        known = columns("spectrl2_gases")["wavelength_nm"]
+        known = known[known <= 3900.0]
+        return float(SunDisc.of(self.sky).irradiance(known) @ weights_of(self.sky.atmosphere, known, np.ones_like))
+
+    @cached_property
+    def nodes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Directions of the dome and their shares of the horizontal's light."""
+        views, solid_angles = hemisphere(RINGS, AROUND)
+        return views, solid_angles * views[:, 2]
+
+    @cached_property
+    def light(self) -> np.ndarray:
+        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
+        return np.asarray(self.sky.radiance(self.nodes[0], self.channels.wavelengths) @ self.channels.weights)
+
+    @property
+    def alone(self) -> float:
+        """Diffuse horizontal irradiance without cloud, W m-2."""
+        return float(self.nodes[1] @ self.light[:, 0])
+
+    def diffuse(self, field: CloudField, coarseness: int = 4) -> float:
+        """Diffuse horizontal irradiance with a field before it, W m-2."""
+        views, weights = self.nodes
+        lit = LitField.of(field, self.sky.seen_sun, coarseness)
+        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
+
+
+def clouds_for(
+    dni: float,
+    dhi: float,
+    sun: Any,
+    field: CloudField | None = None,
+    air: Atmosphere | None = None,
+) -> MeasuredClouds:
+    """The sky with clouds whose direct normal and diffuse horizontal irradiance are `dni` and `dhi`, W m-2, within 1 %.
+
+    Looks for the air's haze, the cover and density of `field`, and the place of it that stands before the `sun` (3,),
+    near the field's own. A last factor on sky and disc is told, below 10 %. ValueError in one line for light that the
+    sun cannot give, with what it can. The sun at 2 degrees or more.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
+    >>> found = clouds_for(420.0, 210.0, sun)
+    >>> light = sd.broadband(found.whole)
+    >>> round(float(light.direct_normal)), abs(round(float(light.diffuse_horizontal)) - 210) < 3
+    (420, True)
+    """
+    sun = require_light(dni, dhi, sun, air)
+    start = CloudField(Cumulus(), seed=0) if field is None else field
+    require_kind(start, CloudField, "field", "CloudField(Cumulus(), seed=7)")
+    refused: list[ValueError] = []
+    for clear, share in airs_for(dni, dhi, sun, clear_air() if air is None else air):
+        try:
+            return carried(dni, dhi, clear, field_for(dhi, share, clear, start))
+        except ValueError as error:
+            refused.append(error)
+    raise refused[0]
+
+
+def carried(dni: float, dhi: float, clear: "Clear", field: CloudField) -> MeasuredClouds:
+    """The sky of a field, its level and its disc's set to the light; ValueError where that moves them too far."""
+    cloudy, disc = CloudySky(clear.sky, field), SunDisc.of(clear.sky)
+    diffuse = dhi / (clear.diffuse(field, 2) if field.cover else clear.alone)
+    direct = dni / (clear.beam * cloudy.sun_share) if cloudy.sun_share > SEEN else 1.0
+    for name, value, factor in (("dhi", dhi, diffuse), ("dni", dni, direct)):
+        if not 1 / (1 + NEAR) <= factor <= 1 + NEAR:
+            raise ValueError(f"{name} must be near {value / factor:.0f} W m-2 with these clouds, got {value:g}")
+    level = np.asarray(disc.normal_xyz)[..., 1] * dni / clear.beam
+    dimmed = replace(disc, direct_normal_illuminance=level)
+    return MeasuredClouds(cloudy * diffuse, dimmed, cloudy, diffuse, float(direct))  # type: ignore[arg-type]
+
+
+def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> np.ndarray:
+    """The sun (3,); ValueError for light that no sky has."""
+    sun = np.asarray(checked_directions(np.asarray(sun, np.float64), "sun"))
+    if sun.shape != (3,) or sun[2] < np.sin(np.radians(LOWEST)):
+        raise ValueError(f"sun must be one direction, {LOWEST:g} degrees above the horizon or more, got {sun.tolist()}")
+    above = SOLAR_CONSTANT * (1.0 if air is None else air.sun_scale)
+    for name, value, most in (("dni", dni, above), ("dhi", dhi, above * float(sun[2]))):
+        require_one(name, value)
+        require(name, value, Range(0.0, round(most, 1), "W m-2"))
+    if dhi < 1:
+        raise ValueError(f"dhi must be 1 W m-2 or more while the sun is up, under full cover too, got {dhi:g}")
+    return sun
+
+
+def airs_for(dni: float, dhi: float, sun: np.ndarray, air: Atmosphere) -> Iterator[tuple["Clear", float]]:
+    """Clear skies whose sun is at least as strong, and the share of it that the clouds are to leave, likely ones first.
+
+    The usual air with cloud before the sun, where there is much less of it than that air lets through; air so hazy that
+    nothing need stand before the sun; and air so clear that its own diffuse light is not too much.
+    """
+    skies = [hazy(air, depth, sun) for depth in HAZES]
+    beams = np.array([clear.beam for clear in skies])
+    if dni > beams[0] * (1 + NEAR):
+        raise ValueError(f"dni must be at most {beams[0]:.0f} W m-2 through the clearest air here, got {dni:g}")
+    usual = skies[USUAL_HAZE]
+    if dni < OPEN_SUN * usual.beam:
+        yield usual, dni / usual.beam
+    if dni > beams[-1]:
+        yield hazy(air, float(np.interp(-dni, -beams, HAZES)), sun), 1.0
+    for clear in reversed(skies[:USUAL_HAZE]):
+        if dni < clear.beam and clear.alone < dhi:
+            yield clear, dni / clear.beam
+            return
+
+
+def hazy(air: Atmosphere, depth: float, sun: np.ndarray) -> Clear:
+    """The sky of an air with an aerosol of so much depth."""
+    from skydome.air.constituents import Aerosol
+
+    low = next(n for n, part in enumerate(air.constituents) if isinstance(part, Aerosol))
+    parts = list(air.constituents)
+    parts[low] = replace(parts[low], optical_depth=depth)  # type: ignore[call-arg]
+    return Clear(PhysicalSky(sun, replace(air, constituents=tuple(parts)), check="clamp"))
+
+
+def field_for(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
+    """The field that leaves a share of the sun and has the diffuse irradiance, or comes nearest."""
+    if share >= 1 and dhi < clear.alone * (1 + NEAR):
+        return replace(start, cover=0.0)
+    search = Search(dhi, share, clear, start)
+    first = 1 if share > OPEN_SUN else 3 if share > 0.05 else 6
+    for step in range(len(KNOTS)):
+        for place in {first + step, first - step} & set(range(len(KNOTS))):
+            search = search.tried(float(place))
+            pair = search.pair()
+            if pair is not None:
+                return search.between(*pair)
+    return search.nearest()
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """What was found on the way along `KNOTS`: places on it, fields, and their diffuse irradiances."""
+
+    dhi: float
+    share: float
+    clear: Clear
+    start: CloudField
+    found: tuple[tuple[float, CloudField, float], ...] = ()
+
+    def tried(self, place: float) -> "Search":
+        """With one more place tried; the same where no field there leaves the sun's share."""
+        first = min(int(place), len(KNOTS) - 2)
+        (c0, d0), (c1, d1) = KNOTS[first : first + 2]
+        part, kind = place - first, self.start.kind
+        extinction = min(kind.extinction * d0 * (d1 / d0) ** part, 0.9)
+        field = replace(self.start, cover=c0 + (c1 - c0) * part, extinction=extinction)
+        placed = placed_before(field, self.share, np.asarray(self.clear.sky.seen_sun))
+        if placed is None:
+            return self
+        more = (place, placed, self.clear.diffuse(placed))
+        return replace(self, found=tuple(sorted((*self.found, more), key=lambda each: each[0])))
+
+    def pair(self) -> tuple[Any, Any] | None:
+        """Neighbours between which the irradiance lies."""
+        for low, high in zip(self.found[:-1], self.found[1:], strict=True):
+            if (low[2] - self.dhi) * (high[2] - self.dhi) <= 0:
+                return low, high
+        return None
+
+    def between(self, low: Any, high: Any) -> CloudField:
+        """The field between two."""
+        search = self
+        for _ in range(5):
+            if abs(search.best[2] / self.dhi - 1) < 0.01:
+                break
+            part = float(np.clip((self.dhi - low[2]) / (high[2] - low[2]), 0.1, 0.9))
+            search = search.tried(low[0] + (high[0] - low[0]) * part)
+            low, high = search.pair() or (low, high)
+        return search.best[1]
+
+    @property
+    def best(self) -> tuple[float, CloudField, float]:
+        """The nearest so far."""
+        return min(self.found, key=lambda each: abs(each[2] - self.dhi))
+
+    def nearest(self) -> CloudField:
+        """The nearest; ValueError with what is possible where that is too far."""
+        lights = [light for _, _, light in self.found]
+        if not lights or abs(self.best[2] / self.dhi - 1) > NEAR:
+            low, high = min(lights, default=0.0), max(lights, default=0.0)
+            raise ValueError(
+                f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {self.dhi:g}"
+            )
+        return self.best[1]
+
+
+def placed_before(field: CloudField, share: float, sun: np.ndarray) -> CloudField | None:
+    """The field moved so that it leaves a share of the sun's light, to the nearest such place; None where none does."""
+    along = (np.arange(PLACES) / PLACES - 0.5) * field.kind.period
+    order = np.argsort(np.abs(along), kind="stable")
+    east, north = (part.ravel() for part in np.meshgrid(along[order], along[order]))
+    places = np.stack([east, north, 0 * east], axis=-1)
+    places = places[np.argsort(np.hypot(east, north), kind="stable")]
+    left = sun_share(field, sun, places, 4)
+    if share > 0.999 or share < SEEN:
+        fits = np.flatnonzero(left > 0.999 if share > 0.999 else left <= SEEN)
+        return moved(field, places[fits[0]]) if len(fits) else None
+    over = left[:-1] >= share
+    crossing = np.flatnonzero(over != (left[1:] >= share))
+    if len(crossing) == 0:
+        return None
+    first, last = places[crossing[0]], places[crossing[0] + 1]
+    for _ in range(24):
+        middle = (first + last) / 2
+        above = sun_share(field, sun, middle[None])[0] >= share
+        first, last = (middle, last) if above == over[crossing[0]] else (first, middle)
+    return moved(field, (first + last) / 2)
+
+
+def moved(field: CloudField, place: np.ndarray) -> CloudField:
+    """The field with the eye at another place under it."""
+    return replace(field, place=(field.place[0] + float(place[0]), field.place[1] + float(place[1])))
