@@ -7,7 +7,7 @@ import numpy as np
 from skydome.moon.geocentric import moon_vectors
 from skydome.moon.libration import moon_axes, places_on_moon
 from skydome.moon.position import seen_vectors
-from skydome.sun.celestial import ASTRONOMICAL_UNIT, earth, place_axes
+from skydome.sun.celestial import ASTRONOMICAL_UNIT, LIGHT_DAYS_PER_AU, earth, place_axes
 from skydome.sun.place import Place
 from skydome.sun.position import checked_years
 from skydome.sun.times import Times, instants
@@ -43,6 +43,8 @@ class MoonPhase:
     """Selenographic longitude of the place, east: libration."""
     latitude: np.ndarray
     """Selenographic latitude of the place: libration."""
+    earth: np.ndarray
+    """The earth's centre from the moon's, where sunlight that reaches the moon passed it, m, (..., 3)."""
 
     @property
     def illuminated(self) -> np.ndarray:
@@ -98,17 +100,21 @@ def moon_phase(place: Place, time: Times) -> MoonPhase:
     utc = given.ravel()
     axes = place_axes(place, utc)
     moon = seen_vectors(place, utc)
-    sun = -earth(utc)[0] - moon_vectors(utc)
+    (from_sun, velocity), from_centre = earth(utc), moon_vectors(utc)
+    sun = -from_sun - from_centre
     turned = moon_axes(utc)
     of_sun, _ = places_on_moon(turned, sun)
     back = -np.einsum("nji,nj->ni", axes, moon)
     longitude, latitude = places_on_moon(turned, back)
     toward_sun = np.einsum("nij,nj->ni", axes, sun)
     north = np.einsum("nij,nj->ni", axes, turned[:, 2])
+    way = np.linalg.norm(from_centre, axis=-1, keepdims=True) * LIGHT_DAYS_PER_AU
+    centre = -np.einsum("nij,nj->ni", axes, from_centre + velocity * way) * ASTRONOMICAL_UNIT
     size, far = np.linalg.norm(moon, axis=-1), np.linalg.norm(toward_sun, axis=-1)
     angle = np.arctan2(np.linalg.norm(np.cross(moon, toward_sun), axis=-1), -np.sum(moon * toward_sun, axis=-1))
-    grows = np.sin(of_sun) > 0
-    vectors = (moon / size[:, None], toward_sun / far[:, None], north)
-    numbers = (angle, size * ASTRONOMICAL_UNIT, far, grows, of_sun, longitude, latitude)
-    shape = given.shape
-    return MoonPhase(*(v.reshape(*shape, 3) for v in vectors), *(number.reshape(shape) for number in numbers))
+    told = {
+        "direction": moon / size[:, None], "toward_sun": toward_sun / far[:, None], "north": north,
+        "phase_angle": angle, "distance": size * ASTRONOMICAL_UNIT, "sun_distance": far, "waxing": np.sin(of_sun) > 0,
+        "longitude_of_sun": of_sun, "longitude": longitude, "latitude": latitude, "earth": centre,
+    }  # fmt: skip
+    return MoonPhase(**{name: value.reshape(given.shape + value.shape[1:]) for name, value in told.items()})

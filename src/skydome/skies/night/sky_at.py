@@ -9,14 +9,15 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arguments import require_kind, require_word
 from skydome.ground.units import deg
-from skydome.moon.phase import moon_phase
+from skydome.moon.phase import MoonPhase, moon_phase
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.colour_sky import SpectralCombination, SpectralSky
 from skydome.skies.night.airglow import Airglow
 from skydome.skies.night.eclipse import Eclipse, EclipsedSun, darkened
-from skydome.skies.night.moon_disc import MoonDisc
-from skydome.skies.night.moonlight import Moonlight
+from skydome.skies.night.moon.lunar_eclipse import LunarEclipse
+from skydome.skies.night.moon.moon_disc import MoonDisc
+from skydome.skies.night.moon.moonlight import Moonlight
 from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.starlight import Starlight
 from skydome.skies.night.stars import Planets, Stars, instant
@@ -131,11 +132,12 @@ class Hour:
     at: Any
     air: Atmosphere
     eclipse: Eclipse
+    phase: MoonPhase
 
     @classmethod
     def of(cls, place: Place, at: Any, air: Atmosphere) -> "Hour":
         """That of a place and an instant."""
-        return cls(place, at, air, Eclipse.over(place, at))
+        return cls(place, at, air, Eclipse.over(place, at), moon_phase(place, at))
 
     @property
     def sun_elevation(self) -> float:
@@ -163,11 +165,10 @@ class Hour:
     def of_moon(self) -> dict[str, SpectralSky]:
         """The moonlit sky and the moon's disc."""
         found: dict[str, SpectralSky] = {}
-        phase = moon_phase(self.place, self.at)
         if self.moon_elevation > END_OF_TWILIGHT and self.sun_elevation < MOONLIGHT_SEEN:
-            found["moonlight"] = Moonlight.under(phase, self.air)
+            found["moonlight"] = Moonlight.under(self.phase, self.air)
         if self.moon_elevation > START_OF_DISC and not self.eclipse.touches:
-            found["moon"] = MoonDisc.under(phase, self.air)
+            found["moon"] = MoonDisc.under(self.phase, self.air)
         return found
 
     def points(self) -> dict[str, SpectralSky]:
@@ -203,4 +204,15 @@ class Hour:
             said.append('no stars: pip install "skydome[night]" brings their catalogue')
         if self.eclipse.touches and "sun" in parts:
             said.append(f"eclipse: the moon covers {float(self.eclipse.obscuration):.1%} of the sun")
+        if "moon" in parts and parts["moon"].shadow is not None:
+            said.append(told_of_shadow(self.at, parts["moon"]))
         return tuple(said)
+
+
+def told_of_shadow(at: Any, moon: MoonDisc) -> str:
+    """A sentence on the moon in the earth's shadow: how deep, and what is left of its light."""
+    eclipse = LunarEclipse.at(at)
+    depth, half = float(eclipse.umbral_magnitude), float(eclipse.penumbral_magnitude)
+    how = f"umbral magnitude {depth:.2f}" if depth > 0 else f"in the half shadow alone, magnitude {half:.2f}"
+    left = float(moon.face.left(np.array([555.0]))[0])
+    return f"eclipse of the moon: {how}; {left:.2g} of its light is left at 555 nm"
