@@ -22,6 +22,7 @@ from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.starlight import Starlight
 from skydome.skies.night.stars import Planets, Stars, instant
 from skydome.skies.night.through_air import air_of
+from skydome.skies.night.turned import about_the_vertical, turned
 from skydome.skies.night.zodiacal import ZodiacalLight
 from skydome.stars.catalogue import is_installed
 from skydome.sun.place import Place
@@ -72,6 +73,11 @@ class WholeSky(SpectralCombination):
         kept = [(name, sky) for name, sky in zip(self.names, self.members, strict=True) if name not in names]
         skies = tuple(sky for _, sky in kept)
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
+
+    def turned(self, north: float) -> "WholeSky":
+        """The same for a scene whose own north points `north` radians clockwise of true north."""
+        rotation = about_the_vertical(north)
+        return replace(self, members=tuple(turned(sky, rotation) for sky in self.members))
 
 
 def sky_at(

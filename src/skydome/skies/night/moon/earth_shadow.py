@@ -6,7 +6,7 @@ that pass at a height have turned by twice `Shells.turns` there and crossed twic
 orange to ozone, low ones blue and green to molecules: the shadow's edge is bluish, its middle red.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Self
 
@@ -73,6 +73,10 @@ class EarthShadow:
             return None
         angles = np.linspace(max(middle - 1.02 * size, 0.0), middle + 1.02 * size, ANGLES)
         return cls(earth, sun, angles, ring.light(angles, distance, radius))
+
+    def turned(self, rotation: np.ndarray) -> Self:
+        """The same in axes turned by a rotation (3, 3)."""
+        return replace(self, earth=self.earth @ rotation.T, sun=self.sun @ rotation.T)
 
     def share(self, offsets: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """What is left at points (..., 3), m from the moon's centre, at wavelengths (W,): (..., W)."""
