@@ -66,7 +66,7 @@ def instant(time: Times) -> Any:
     found = checked_years(instants(time))
     if found.shape:
         raise ValueError(
-            f"time must be one time, got times of shape {found.shape}: call once for each, or sd.light_at for the light "
+            f"time must be one time, got times of shape {found.shape}: call once for each, or sd.light_at for light "
             "on the level through all of them"
         )
     return found[()]
