@@ -2,7 +2,7 @@
 
 - magnitudes    Magnitudes, colours and surface brightness of the heavens as light
 - through_air   What the air does to the light of the heavens
-- moon          The moon: its disc, the sky that it lights, eclipses in the earth's shadow
+- moon/         The moon: its disc, the sky that it lights, eclipses in the earth's shadow
 - stars         Stars and planets as points of light through the air
 - held_dome     A smooth sky's colours on a fine grid of the dome, for maps
 - celestial     Light from beyond the air that glows all over the sky: what its kinds share

@@ -25,7 +25,7 @@ class LunarEclipse:
 
     >>> deep = LunarEclipse.at("2025-09-07T18:12Z")
     >>> round(float(deep.umbral_magnitude), 2), round(float(deep.penumbral_magnitude), 2)
-    (1.36, 2.35)
+    (1.36, 2.34)
     """
 
     separation: np.ndarray
