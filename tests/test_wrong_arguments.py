@@ -134,6 +134,7 @@ CALLS = {
                 "diffuse_horizontal": np.array([100.0]), "dew_point": np.array([8.0])},
     "quality": {"weather": WEATHER},
     "repaired": {"weather": WEATHER},
+    "downscaled": {"weather": WEATHER, "minutes": 5},
     "Plane": {},
     "on_planes": {"year": WEATHER, "planes": sd.Plane()},
     "monthly_sums": {"light": LIGHT},

@@ -127,6 +127,7 @@ HOME = {
     "years.weather.reading": "read_weather",
     "years.quality.report": "quality",
     "years.quality.repairs": "repaired",
+    "years.downscaling.downscaled": "downscaled",
     "years.skies.series": "year",
     "years.planes.plane": "Plane",
     "years.planes.light": "on_planes",

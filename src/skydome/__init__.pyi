@@ -193,6 +193,7 @@ from skydome.surroundings.mesh import MeshScene as MeshScene
 from skydome.surroundings.obstruction import PlaneView as PlaneView
 from skydome.surroundings.obstruction import Received as Received
 from skydome.surroundings.obstruction import obstructed_illuminance as obstructed_illuminance
+from skydome.years.downscaling.downscaled import downscaled as downscaled
 from skydome.years.planes.light import on_planes as on_planes
 from skydome.years.planes.plane import Plane as Plane
 from skydome.years.planes.sums import cumulative_sky as cumulative_sky

@@ -2,6 +2,7 @@
 
 - weather/    Weather in: files of every common kind become one record of a place and its hours
 - quality/    How good a weather file's light is: what is wrong with it, and its repair
+- downscaling/ Hourly weather made into minutes: clouds that come and go within the hour
 - skies/      The skies of a year's hours on the dome's patches
 - planes/     Light on planes through a year: walls, desks, panels
 - metrics/    The numbers that engineers sign: daylight autonomy, EN 17037, glare, doses
