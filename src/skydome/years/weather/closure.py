@@ -36,7 +36,7 @@ OFF_NOON, MOST_AT_NIGHT = 40.0, 0.25
 """Minutes of noon that are told of where closure tells nothing; share of the light at night, at most."""
 
 NEAR_AN_HOUR = 10.0
-"""Minutes: how far a shift may be from whole hours and still be one of the zone; noons of clear days are known as well."""
+"""Minutes: how far a shift may be from whole hours and still be one of the zone."""
 
 
 @dataclass(frozen=True)
