@@ -18,11 +18,12 @@ LINES = {557.7: 250.0, 589.3: 60.0, 630.0: 80.0}
 MEAN_FLUX = 140.0
 """... in the middle of the solar cycle, solar flux units."""
 
-CONTINUUM = {440.0: 1.6, 545.0: 1.0, 655.0: 3.3}
+CONTINUUM = {440.0: 1.3, 545.0: 1.0, 600.0: 1.4, 650.0: 1.5, 720.0: 4.7}
 """What the rest, hydroxyl's bands included, has at wavelengths, nm, over that at 545 nm.
 
 So that a dark zenith has the mean B - V and V - R of La Palma (.8, .9: Benn and Ellison 1998), Paranal (1.0, .7: Patat
-2003) and ESO's sky model (.95, .77: Noll et al. 2012).
+2003) and ESO's sky model (.95, .77: Noll et al. 2012). How it rises between, by the hump at 600 nm and hydroxyl beyond
+650, is our choice.
 """
 
 RAYLEIGH = 1e10 / (4 * np.pi)
