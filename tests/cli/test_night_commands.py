@@ -18,6 +18,9 @@ def test_sun_tells_moon_and_planets(call):
     assert facts["moon"]["waxing"]
     assert facts["moon"]["events"]["moonrise"].startswith("2026-04-19T06:53")
     assert [planet["name"] for planet in facts["planets"]][:2] == ["Mercury", "Venus"]
+    assert facts["moon"]["eclipse_magnitude"] is None
+    eclipsed = call("sun", "--place", "0,180", "--time", "2026-03-03T11:34Z", "--moon").stdout
+    assert "magnitude 1.15, 2.18 penumbral" in " ".join(eclipsed.split())
     assert "bright limb" in call("sun", "--place", "50,8", "--time", "2026-04-19T20:00+02:00", "--moon").stdout
 
 

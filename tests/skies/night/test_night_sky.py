@@ -168,6 +168,8 @@ def test_parts_by_the_hour():
     np.testing.assert_allclose(sum(parts), float(sd.illuminance(night)), rtol=1e-3)
     assert sd.sky_at(PLACE, MOONLESS, only=["airglow"]).names == ("airglow",)
     assert any("below -18" in note for note in night.notes)
+    with pytest.raises(ValueError, match="light on the level through all of them"):
+        sd.sky_at(PLACE, [MOONLESS, FULL])
     for wrong, words in ((["sun"], "gives light at that hour"), (["aurora"], "a part must be one of")):
         with pytest.raises(ValueError, match=words):
             sd.sky_at(PLACE, MOONLESS, only=wrong)
@@ -210,6 +212,7 @@ def test_an_eclipse_dims_sun_and_sky():
     left = eclipse.left(np.array([400.0, 700.0]))
     assert left[0] < left[1]  # the limb that is left is redder
     assert any("eclipse" in note for note in deep.notes)
+    assert any("no moon: it is before the sun" in note for note in deep.notes)
     np.testing.assert_allclose(Eclipse.over(place, "2026-01-01T12:00Z").left(np.array([500.0])), 1.0)
 
 

@@ -155,6 +155,13 @@ class Hour:
         """True elevation of the moon, rad."""
         return float(np.arcsin(self.eclipse.moon[2]))
 
+    @property
+    def why_no_moon(self) -> str:
+        """Why no disc of the moon is seen."""
+        if self.eclipse.touches and self.moon_elevation > START_OF_DISC:
+            return "it is before the sun, its night side toward us"
+        return f"it stands at {self.moon_elevation / deg:.1f} degrees"
+
     def of_sun(self) -> dict[str, SpectralSky]:
         """The sunlit sky and the sun's disc."""
         if self.sun_elevation <= END_OF_TWILIGHT:
@@ -203,7 +210,7 @@ class Hour:
         if "sky" not in parts:
             said.append(f"no light of the sun: {sun}, below -18")
         if "moon" not in parts:
-            said.append(f"no moon: it stands at {self.moon_elevation / deg:.1f} degrees")
+            said.append(f"no moon: {self.why_no_moon}")
         if "airglow" not in parts:
             said.append(f"no airglow, zodiacal light and faint starlight: less than a thousandth of the sky, {sun}")
         if "planets" in parts and "stars" not in parts:
