@@ -134,6 +134,7 @@ CALLS = {
                 "diffuse_horizontal": np.array([100.0]), "dew_point": np.array([8.0])},
     "quality": {"weather": WEATHER},
     "repaired": {"weather": WEATHER},
+    "downscaled": {"weather": WEATHER, "minutes": 5},
     "Plane": {},
     "on_planes": {"year": WEATHER, "planes": sd.Plane()},
     "monthly_sums": {"light": LIGHT},
@@ -172,7 +173,7 @@ CALLS = {
 ANSWERS = {
     "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
     "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
-    "Eclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures",
+    "Eclipse", "LunarEclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures",
 }  # fmt: skip
 """What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""
 
@@ -198,6 +199,7 @@ METHODS = [
     (sd.Weather.from_frame, {"frame": None, "place": TURIN}),
     (sd.Spectrum([400.0, 500.0], [1.0, 2.0]).at, {"wavelengths": [450.0]}),
     (sd.Place.parse, {"text": "45,7"}),
+    (sd.LunarEclipse.at, {"time": NIGHT}),
     *((kind.over, {"place": TURIN, "time": NIGHT}) for kind in (
         sd.Stars, sd.Planets, sd.Starlight, sd.ZodiacalLight, sd.Moonlight, sd.MoonDisc, sd.Eclipse)),
 ]  # fmt: skip

@@ -77,10 +77,15 @@ def light() -> None:
     for name, day in PHASES:
         times = np.datetime64(f"{day}T12:00") + (hours * 60).astype(int) * np.timedelta64(1, "m")
         ax.semilogy(hours, sd.light_at(NORTH, times).total, label=name)
-    for level, words in ((3.4, "-6"), (0.008, "-12"), (6e-4, "-18 (USNO)"), (0.267, "full moon overhead")):
+    references = (
+        (3.4, "sun at -6 degrees", "bottom"), (0.267, "full moon overhead", "bottom"), (0.008, "-12", "bottom"),
+        (0.002, "starlight and airglow, where programs end that table", "bottom"),
+        (6.4e-4, "-18 by Seidelmann's table", "top"),
+    )  # fmt: skip
+    for level, words, side in references:
         ax.axhline(level, color="grey", lw=0.6)
-        ax.text(12, level, words, fontsize=7, color="grey", ha="center", va="bottom")
-    ax.set(xlim=(0, 24), ylim=(3e-4, 1e5), xlabel="hours after 12 h UTC, 50 N, 15 E", ylabel="lx on the horizontal")
+        ax.text(9.0, level, words, fontsize=7, color="grey", ha="center", va=side)
+    ax.set(xlim=(0, 24), ylim=(2e-4, 1e5), xlabel="hours after 12 h UTC, 50 N, 15 E", ylabel="lx on the horizontal")
     ax.legend(frameon=False, fontsize=8, title="moon", title_fontsize=8)
     figure.savefig(Path(__file__).with_name("night_light.png"), dpi=110)
 

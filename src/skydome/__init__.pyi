@@ -135,8 +135,9 @@ from skydome.skies.neural.sky import NeuralSpectralSky as NeuralSpectralSky
 from skydome.skies.night.airglow import Airglow as Airglow
 from skydome.skies.night.eclipse import Eclipse as Eclipse
 from skydome.skies.night.magnitudes import surface_magnitude as surface_magnitude
-from skydome.skies.night.moon_disc import MoonDisc as MoonDisc
-from skydome.skies.night.moonlight import Moonlight as Moonlight
+from skydome.skies.night.moon.lunar_eclipse import LunarEclipse as LunarEclipse
+from skydome.skies.night.moon.moon_disc import MoonDisc as MoonDisc
+from skydome.skies.night.moon.moonlight import Moonlight as Moonlight
 from skydome.skies.night.sky_at import WholeSky as WholeSky
 from skydome.skies.night.sky_at import sky_at as sky_at
 from skydome.skies.night.skyglow import SkyGlow as SkyGlow
@@ -192,6 +193,7 @@ from skydome.surroundings.mesh import MeshScene as MeshScene
 from skydome.surroundings.obstruction import PlaneView as PlaneView
 from skydome.surroundings.obstruction import Received as Received
 from skydome.surroundings.obstruction import obstructed_illuminance as obstructed_illuminance
+from skydome.years.downscaling.downscaled import downscaled as downscaled
 from skydome.years.planes.light import on_planes as on_planes
 from skydome.years.planes.plane import Plane as Plane
 from skydome.years.planes.sums import cumulative_sky as cumulative_sky

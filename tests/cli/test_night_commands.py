@@ -1,6 +1,14 @@
 """The night from the command line: moon and planets, a film of a day."""
 
 import json
+import sys
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome.cli.options import SkyOptions
+from skydome.cli.scene import scene_of
 
 
 def test_sun_tells_moon_and_planets(call):
@@ -10,6 +18,9 @@ def test_sun_tells_moon_and_planets(call):
     assert facts["moon"]["waxing"]
     assert facts["moon"]["events"]["moonrise"].startswith("2026-04-19T06:53")
     assert [planet["name"] for planet in facts["planets"]][:2] == ["Mercury", "Venus"]
+    assert facts["moon"]["eclipse_magnitude"] is None
+    eclipsed = call("sun", "--place", "0,180", "--time", "2026-03-03T11:34Z", "--moon").stdout
+    assert "magnitude 1.15, 2.18 penumbral" in " ".join(eclipsed.split())
     assert "bright limb" in call("sun", "--place", "50,8", "--time", "2026-04-19T20:00+02:00", "--moon").stdout
 
 
@@ -36,3 +47,57 @@ def test_the_lamp_of_a_night_is_the_moon(call, tmp_path):
     shown = call("render", *night, "--scene", tmp_path / "n.usda", "-o", tmp_path / "n.exr").stdout
     assert "the moon as a lamp" in " ".join(shown.split())
     assert "0.213 lx facing it" in " ".join(shown.split())
+
+
+def test_north_turns_every_light_of_a_night():
+    """Of an eclipsed moon too, whose shadow turns with it, and of an eclipsed sun."""
+    for place, time in (("0,180", "2026-03-03T10:40Z"), ("43.37,-8.4", "2026-08-12T18:28:10Z")):
+        options = SkyOptions(place=place, time=time)
+        whole, plain = (scene_of(options, north, any_hour=True).whole for north in (90.0, 0.0))
+        views = sd.direction(np.linspace(0.1, 6.0, 40), np.linspace(0.05, 1.5, 40))
+        east_is_ahead = np.stack([-views[:, 1], views[:, 0], views[:, 2]], axis=-1)
+        np.testing.assert_allclose(whole.xyz(east_is_ahead), plain.xyz(views), rtol=1e-6)
+        assert float(sd.illuminance(whole)) == pytest.approx(float(sd.illuminance(plain)), rel=1e-3)
+    moon, turned = (scene_of(SkyOptions(place="0,180", time="2026-03-03T10:40Z"), north, any_hour=True).whole["moon"]
+                    for north in (0.0, 90.0))  # fmt: skip
+    near = moon.sun + 0.5 * moon.angular_radius * sd.NORTH
+    light = moon.xyz(near / np.linalg.norm(near))
+    ahead = turned.sun + 0.5 * moon.angular_radius * np.array([-1.0, 0.0, 0.0])
+    np.testing.assert_allclose(turned.xyz(ahead / np.linalg.norm(ahead)), light, rtol=1e-4)
+    assert light[1] > 0
+
+
+def test_the_eye_at_night_sees_no_colour(call, refused, tmp_path):
+    night = ("render", "--place", "45,8", "--time", "2026-01-18T23:00+01:00", "--height", "16", "-o")
+    assert "is of a picture, sky.png" in refused(*night, tmp_path / "n.exr", "--night-vision")
+    assert call(*night, tmp_path / "n.png", "--night-vision").exit_code == 0
+    assert call(*night, tmp_path / "plain.png").exit_code == 0
+    assert (tmp_path / "n.png").read_bytes() != (tmp_path / "plain.png").read_bytes()
+
+
+def test_a_film_needs_ffmpeg_and_tells_its_last_words(call, refused, tmp_path, monkeypatch):
+    """Of a stand-in for ffmpeg that counts what it is sent, or fails."""
+    day = ("animate", "--place", "50,8", "--date", "2026-01-18", "--step", "12h", "--height", "8", "-o", tmp_path)
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    assert "needs the program ffmpeg" in refused(*day, "--film", tmp_path / "n.mp4")
+    assert not (tmp_path / "sky.0001.exr").exists()
+    assert "give --film" in refused(*day, "--night-vision")
+    program = tmp_path / "bin" / "ffmpeg"
+    program.parent.mkdir()
+    script = "#!{}\nimport sys\ndata = sys.stdin.buffer.read()\n{}\n"
+    program.write_text(script.format(sys.executable, "open(sys.argv[-1], 'wb').write(str(len(data)).encode())"))
+    program.chmod(0o755)
+    assert "must end in .mp4" in refused(*day, "--film", tmp_path / "n.gif")
+    facts = json.loads(call(*day, "--film", tmp_path / "n.mp4", "--json").stdout)
+    assert facts["film_seconds"] == pytest.approx(2 / 24)
+    assert (tmp_path / "n.mp4").read_text() == str(2 * 8 * 16 * 3)
+    program.write_text(script.format(sys.executable, "sys.exit('no encoder for h264')"))
+    assert "did not write n.mp4: no encoder for h264" in refused(*day, "--film", tmp_path / "n.mp4")
+
+
+def test_exposures_of_a_film_follow_the_dusk():
+    from skydome.cli.night.movie import calmed
+
+    falling = -np.arange(20) * 1.8  # a sixth of the light each ten minutes
+    np.testing.assert_allclose(np.log(calmed(falling, np.arange(20) * 600.0))[4:-4], falling[4:-4], atol=1e-4)
+    assert np.log(calmed(np.array([0.0, 1.0, 0.0]), np.arange(3) * 3600.0))[1] > 0.99

@@ -50,6 +50,22 @@ def test_many_suns_are_each_alone():
         assert both[1][k] == pytest.approx(sd.uv_index(one), rel=1e-6)
 
 
+def test_many_airs_and_suns_without_an_axis_for_views_are_each_alone():
+    elevations, depths, water = np.array([50.0, 10.0, -0.3]), np.array([0.05, 0.2, 0.4]), np.array([1.0, 2.0, 3.0])
+    both = []
+    for lead in (np.s_[:], np.s_[:, None]):
+        air = sd.clear_air(aerosol_depth=depths[lead], water=water[lead])
+        sky = sd.PhysicalSky(sd.direction(0.0, np.radians(elevations))[lead], air)
+        both.append(sky + sd.SunDisc.of(sky))
+    for k in range(3):
+        one = clear(elevations[k], aerosol_depth=float(depths[k]), water=float(water[k]))
+        for many in both:
+            assert sd.uv_index(many)[k] == pytest.approx(sd.uv_index(one), rel=1e-9)
+            assert sd.broadband(many).direct_normal[k] == pytest.approx(sd.broadband(one).direct_normal, rel=1e-9)
+        points, alone = both[1].parts[1].points(16)[1][k], one.parts[1].points(16)[1]
+        np.testing.assert_allclose(points, alone, rtol=1e-9)
+
+
 def test_skies_that_know_too_little_are_refused():
     with pytest.raises(TypeError, match="HosekWilkie does not know light of 300-2500 nm; PhysicalSky does"):
         sd.uv_index(sd.HosekWilkie(sd.direction(0.0, 0.5), 3.0))

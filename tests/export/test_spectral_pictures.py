@@ -1,13 +1,16 @@
 """Maps of spectra: Radiance's own programs find the sky's light in .hsr, OpenEXR its channels."""
 
+import json
 import os
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import skydome as sd
+from skydome.cli.main import app
 from skydome.maps.equirectangular import Equirectangular
 
 BANDS = np.arange(390.0, 711.0, 20.0)
@@ -78,3 +81,20 @@ def test_many_skies_are_refused(tmp_path):
     for sky in (many, many + sd.SunDisc.of(many)):
         with pytest.raises(ValueError, match="a map shows one sky at a time"):
             sd.save_spectra(sky, tmp_path / "sky.exr", BANDS, height=16)
+
+
+def test_the_command_writes_spectra(tmp_path):
+    sun = ("--place", "45,8", "--time", "2026-06-21T12:00Z", "--model", "hosek-wilkie", "--height", "16")
+    words = ["render", *sun, "--wavelengths", "390,710,20", "--json", "-o"]
+    for name in ("sky.hsr", "sky.exr"):
+        result = CliRunner().invoke(app, [*words, str(tmp_path / name)])
+        assert result.exit_code == 0, result.stderr
+        facts = json.loads(result.stdout, parse_constant=pytest.fail)
+        assert facts["wavelengths_nm"] == BANDS.tolist()
+        assert facts["bytes"] == (tmp_path / name).stat().st_size
+        assert any("disc is not in" in note for note in facts["notes"])
+    assert b"NCOMP=17\n" in (tmp_path / "sky.hsr").read_bytes()[:200]
+    for more, told in (("sky.hdr", ".hsr or .exr"), ("sky.hsr", "no --half")):
+        result = CliRunner().invoke(app, [*words, str(tmp_path / more), *(["--half"] if "half" in told else [])])
+        assert result.exit_code == 2
+        assert told in result.stderr

@@ -1,5 +1,6 @@
 """Labelled in, labelled out: pandas and xarray at the door of skies, integrals and directions."""
 
+from dataclasses import fields
 from functools import partial
 
 import numpy as np
@@ -122,6 +123,74 @@ def test_polarisation():
     assert light.dims == ("view", "wavelength", "stokes")
     np.testing.assert_array_equal(light.sel(stokes="Q"), plain[..., 1])
     np.testing.assert_array_equal(sky.stokes(frame, [550.0]), plain)
+
+
+DAYS = pd.Series(["2026-06-21", "2026-06-22", "2026-12-21"], index=["a", "b", "c"])
+
+
+def events_of(days):
+    events = sd.sun_events(TURIN, days)
+    return [*events.instants.values(), events.noon_elevation, events.daylight, *events.local.values()]
+
+
+def moon_of(times):
+    phase = sd.moon_phase(TURIN, times)
+    parts = [getattr(phase, item.name) for item in fields(phase)]
+    return [*parts, phase.illuminated, phase.elongation, phase.bright_limb, phase.axis]
+
+
+def night_of(times):
+    light = sd.light_at(TURIN, times)
+    return [light.times, light.total, *light.parts.values()]
+
+
+@pytest.mark.parametrize(
+    ("parts_of", "given"),
+    [
+        (events_of, DAYS),
+        (lambda days: [(events := sd.moon_events(TURIN, days)).rise, events.transit, events.set], DAYS),
+        (moon_of, TIMES),
+        (lambda times: [part for one in sd.planets(TURIN, times) for part in (one.direction, one.phase_angle)], TIMES),
+        (night_of, TIMES),
+    ],
+)
+def test_every_part_of_an_answer_has_the_labels(parts_of, given):
+    plain = parts_of(HOURS if given is TIMES else list(given))
+    for labelled, bare in zip(parts_of(given), plain, strict=True):
+        same(labelled, bare, given.index)
+    named = xr.DataArray(given.to_numpy() if given is DAYS else HOURS.tz_convert(None).values, {"k": [1, 2, 3]}, ["k"])
+    for labelled, bare in zip(parts_of(named), plain, strict=True):
+        assert labelled.dims[0] == "k"
+        np.testing.assert_array_equal(labelled, bare)
+
+
+def test_what_a_sky_knows_has_its_labels():
+    frame = pd.DataFrame({"dni": [700.0, 710.0, 0.0], "dhi": [110.0, 112.0, 100.0]}, index=HOURS)
+    sky = sd.PerezAllWeather(pd.DataFrame(SUNS, HOURS), frame.dni, frame.dhi)
+    plain = sd.PerezAllWeather(SUNS, *frame.to_numpy().T)
+    for name in ("valid", "is_day", "direct_normal_illuminance", "diffuse_illuminance"):
+        same(getattr(sky, name), getattr(plain, name), HOURS)
+    disc, bare = sd.SunDisc.of(sky), sd.SunDisc.of(plain)
+    same(disc.illuminance(sd.ZENITH), bare.illuminance(sd.ZENITH), HOURS)
+    same(disc.irradiance([450.0, 550.0]), bare.irradiance([450.0, 550.0]), HOURS)
+    assert list(disc.normal_xyz.columns) == ["X", "Y", "Z"]
+    dome = sd.PerezAllWeather(SUNS[:, None], *frame.to_numpy().T[..., None])
+    same(sd.illuminance(sky + disc), sd.illuminance(dome + sd.SunDisc.of(dome)), HOURS)
+    one_sun = sd.PerezAllWeather(SUN, frame.dni, frame.dhi)
+    assert sd.illuminance(one_sun + sd.SunDisc.of(one_sun)).index.equals(HOURS)
+
+
+def test_air_of_labelled_depths_and_what_light_does():
+    depths, suns = pd.Series([0.05, 0.2, 0.4], index=list("abc")), sd.direction(0.0, np.radians([50.0, 10.0, 40.0]))
+    sky = sd.PhysicalSky(pd.DataFrame(suns, depths.index), sd.clear_air(aerosol_depth=depths))
+    plain = sd.PhysicalSky(suns, sd.clear_air(aerosol_depth=depths.to_numpy()))
+    same(sky.luminance(sd.ZENITH), plain.luminance(sd.ZENITH), depths.index)
+    same(sky.valid, plain.valid, depths.index)
+    whole, bare = sky + sd.SunDisc.of(sky), plain + sd.SunDisc.of(plain)
+    same(sd.uv_index(whole), sd.uv_index(bare), depths.index)
+    assert sd.broadband(whole).global_horizontal.index.equals(depths.index)
+    assert sd.illuminance(whole).index.equals(depths.index)
+    assert sd.Atmosphere.standard(depths).transmittance(0.5, [550.0]).shape == (3, 1)
 
 
 def angles(toward):

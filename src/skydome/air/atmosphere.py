@@ -195,8 +195,7 @@ class Atmosphere(NamedAirs, HeldBySky):
             self.slant_column(part.profile, cos_zenith)[..., None] * part.depth(wavelengths)
             for part in self.constituents
         ]
-        total: np.ndarray = np.sum(parts, axis=0)
-        return total
+        return np.asarray(sum(parts))
 
     def slant_column(self, profile: Profile, cos_zenith: ArrayLike) -> np.ndarray:
         """Vertical columns of a profile on a straight ray from the ground to space, (...,)."""

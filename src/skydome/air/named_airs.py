@@ -18,6 +18,7 @@ from skydome.air.profiles import STRATOSPHERIC_LAYER, Exponential
 from skydome.air.turbidity import from_linke, from_meteorological_range, meteorological_range
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import floating, is_numpy, namespace
+from skydome.ground.labels import keeps_labels
 from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.light.spectrum import Spectrum
 
@@ -76,14 +77,21 @@ def shared_out(aerosol: Aerosol, stratospheric_depth: Any) -> tuple[Aerosol, ...
         whole = aerosol.optical_depth
         rest = np.maximum(whole.values - background(stratospheric_depth).depth(whole.wavelengths), 0.0)
         return replace(aerosol, optical_depth=Spectrum(whole.wavelengths, rest)), background(stratospheric_depth)
-    depth = floating(aerosol.optical_depth)
-    other = floating(stratospheric_depth, like=depth)
-    xp = namespace(depth, other)
-    high = xp.where(depth < other, depth, other)
+    low, high = low_and_high(aerosol.optical_depth, stratospheric_depth)
     if is_numpy(high) and not np.any(high):
         return (aerosol,)
-    low, high = (float(part) if is_numpy(part) and part.ndim == 0 else part for part in (depth - high, high))
     return replace(aerosol, optical_depth=low), background(high)
+
+
+@keeps_labels(whole=0, stratospheric=0)
+def low_and_high(whole: Any, stratospheric: Any) -> tuple[Any, Any]:
+    """A whole depth near the ground and in the stratosphere, each (...,)."""
+    depth = floating(whole)
+    other = floating(stratospheric, like=depth)
+    xp = namespace(depth, other)
+    high = xp.where(depth < other, depth, other)
+    low, high = (float(part) if is_numpy(part) and part.ndim == 0 else part for part in (depth - high, high))
+    return low, high
 
 
 def usual() -> tuple[Constituent, ...]:

@@ -9,6 +9,7 @@
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
 - map_file          The file of a map, what the options ask of it, its writing, and what is said of it
 - map_order         What one map is to be, with the scene beside it; its making, and what is said of it
+- spectral_map      A map of spectra: what it may be asked, its making, and what is said of it
 - frames            A sequence of maps: its times, its files' names, the record by which it is taken up again
 - doors             Which files may be written, and what is shown on stderr while one waits
 - endings           How a command ends: every error becomes one line on stderr and an exit code

@@ -134,7 +134,8 @@ def is_dark(order: MapOrder) -> bool:
     from skydome.sun.day import is_day
 
     kind = model_named(order.options.model)
-    return kind.has_sun and not is_day(moment_of(order.options).direction, kind.kind.lowest_sun)
+    lit = kind.kind.of_all_hours or is_day(moment_of(order.options).direction, kind.kind.lowest_sun)
+    return kind.has_sun and not lit
 
 
 def frame_facts(facts: dict[str, Any]) -> dict[str, Any]:

@@ -73,6 +73,9 @@ class FileOptions:
         float | None, Option(help="RGB per cd m-2 in the file: 1 / --white-luminance, the other way to say it.")
     ] = None
     exposure: Exposure = None
+    night_vision: Annotated[
+        bool, Option("--night-vision", help="Of a .png: dark places as the eye sees them, bluish and without colour.")
+    ] = False
     gamut: Annotated[
         str,
         Option(
@@ -84,7 +87,13 @@ class FileOptions:
     def choices(self) -> dict[str, Any]:
         """As `EnvironmentMap.save` takes them."""
         asked = dict(vars(self), white_luminance=self.white)
-        return {name: value for name, value in asked.items() if name != "scale"}
+        return {name: value for name, value in asked.items() if name not in ("scale", "night_vision")}
+
+    def seen(self, picture: "EnvironmentMap") -> "EnvironmentMap":
+        """The map as it is shown: by the eye at night where that is asked for."""
+        from skydome.eye.night_vision import night_vision
+
+        return night_vision(picture) if self.night_vision else picture
 
     @property
     def white(self) -> float | None:
@@ -104,6 +113,10 @@ class FileOptions:
         from skydome.maps.targets import target
 
         require_output(output, "a map's file", FORMATS)
+        if self.night_vision and output.suffix.lower() != ".png":
+            raise ValueError(
+                f"--night-vision is of a picture, sky.png, not of light to compute with; got {output.name}"
+            )
         require_choices(output, self.half, self.white, self.exposure, self.gamut)
         return target(self.target)
 

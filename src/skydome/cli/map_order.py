@@ -73,7 +73,7 @@ class MapOrder:
     def made(self) -> dict[str, Any]:
         """Make it: the facts of the light and of the file."""
         scene = scene_of(self.options, self.north, any_hour=True)
-        picture = self.picture(scene)
+        picture = self.file.seen(self.picture(scene))
         if self.beside is None:
             picture.save(self.output, **self.file.choices)
             more: dict[str, Any] = {}

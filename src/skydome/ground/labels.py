@@ -4,11 +4,11 @@ Axes of xarray pair by their names, those of pandas by their place, as in NumPy.
 both must label it alike.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from functools import wraps
 from inspect import signature
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, ClassVar, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -59,6 +59,11 @@ def brief(axis: Axis) -> str:
 class Parts:
     """A result of several arrays with the same leading axes, the fields of a dataclass, which are labelled alike."""
 
+    own_axes: ClassVar[Mapping[str, tuple[Axis, ...]]] = {}
+    """The last axes of those fields that have others than the rest."""
+    units: ClassVar[Mapping[str, str]] = {}
+    """The units of those fields that have others than the rest."""
+
 
 Last = tuple[Axis, ...] | Callable[[dict[str, Any]], tuple[Axis, ...]]
 """The last axes of a result, or what tells them from the arguments by name."""
@@ -96,7 +101,7 @@ class Door(NamedTuple):
     def labelled(self, result: Any, last: tuple[Axis, ...], name: str, unit: str) -> Any:
         """The result with the labels; `last` are those of its own last axes. Plain where pandas has no such array."""
         leading = np.ndim(result) - len(last)
-        if not self.axes or leading < 0:
+        if not self.axes or leading < 0 or not np.ndim(result):
             return result
         length = np.shape(result)
         axes = [Axis(f"dim_{k}", None, length[k]) for k in range(leading)]
@@ -106,14 +111,22 @@ class Door(NamedTuple):
         return data_array(result, axes, name, unit) if self.named else of_pandas(result, axes, name)
 
     def answer(self, result: Any, last: tuple[Axis, ...], name: str, unit: str) -> Any:
-        """A result of one array or of several (a tuple, `Parts`), each with the labels."""
+        """A result of one array or of several (a tuple, by names, `Parts`), each with the labels."""
         if isinstance(result, Parts):
-            parts = {item.name: getattr(result, item.name) for item in fields(cast(Any, result))}
-            return type(result)(**{own: self.labelled(part, last, own, unit) for own, part in parts.items()})
+            return type(result)(
+                **{item.name: self.part(result, item.name, last, unit) for item in fields(cast(Any, result))}
+            )
+        if isinstance(result, dict):
+            return {own: self.answer(part, last, own, unit) for own, part in result.items()}
         if isinstance(result, tuple):
-            every = (self.labelled(part, last, name, unit) for part in result)
+            every = (self.answer(part, last, name, unit) for part in result)
             return tuple(every) if type(result) is tuple else type(result)(*every)
         return self.labelled(result, last, name, unit)
+
+    def part(self, result: Parts, own: str, last: tuple[Axis, ...], unit: str) -> Any:
+        """One field of a result with the labels."""
+        ends, unit = result.own_axes.get(own, last), result.units.get(own, unit)
+        return self.answer(getattr(result, own), ends, own, unit)
 
 
 def last_of(last: Last, held: dict[str, Any]) -> tuple[Axis, ...]:
@@ -160,6 +173,13 @@ def of_pandas(result: Any, axes: list[Axis], name: str) -> Any:
     if len(axes) == 1:
         return pd.Series(result, indexes[0], name=name)
     return pd.DataFrame(result, *indexes) if len(axes) == 2 else result
+
+
+def like_labelled(result: Any, like: Any) -> Any:
+    """An array with the labels of one of its shape; itself where that has none."""
+    if is_data_array(like):
+        return like.copy(data=result)
+    return type(like)(result, *like.axes) if is_labelled(like) else result
 
 
 def labels_of(axis: Axis, pd: Any) -> Any:

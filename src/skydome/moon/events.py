@@ -1,16 +1,17 @@
 """The moon's day: when it rises, crosses the meridian and sets."""
 
 from dataclasses import dataclass
-from datetime import UTC, datetime, tzinfo
+from datetime import UTC, tzinfo
 from typing import Any
 
 import numpy as np
 
+from skydome.ground.labels import Parts, keeps_labels
 from skydome.ground.units import deg
 from skydome.moon.position import LUNAR_RADIUS, seen_vectors
 from skydome.sun.celestial import ASTRONOMICAL_UNIT
 from skydome.sun.day_events import STEP, Curve, brackets, later, roots_of
-from skydome.sun.events import calendar_date, day_bounds, days_of
+from skydome.sun.events import calendar_date, day_bounds, days_of, in_zone
 from skydome.sun.place import Place
 from skydome.sun.times import as_zone
 
@@ -19,7 +20,7 @@ HORIZON = -34 / 60 * deg
 
 
 @dataclass(frozen=True)
-class MoonEvents:
+class MoonEvents(Parts):
     """Instants (datetime64[us], UTC) of days (D,), or of one: NaT for what does not come that day.
 
     `rise` and `set` are those of the upper limb; some day of each month has no rise, another no set. `transit`: the
@@ -36,16 +37,13 @@ class MoonEvents:
     zone: tzinfo = UTC
 
     @property
-    def local(self) -> dict[str, datetime | None]:
-        """The instants of one day by name as aware datetimes, None for what does not come."""
+    def local(self) -> dict[str, Any]:
+        """The instants by name as aware datetimes, None for what does not come; of many days arrays of them, (D,)."""
         found = {"moonrise": self.rise, "transit": self.transit, "moonset": self.set}
-        return {name: None if np.isnat(at) else self._in_zone(at) for name, at in found.items()}
-
-    def _in_zone(self, instant: Any) -> datetime:
-        utc: datetime = instant.astype("datetime64[us]").item()
-        return utc.replace(tzinfo=UTC).astimezone(self.zone)
+        return {name: in_zone(at, self.zone) for name, at in found.items()}
 
 
+@keeps_labels(day=0)
 def moon_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> MoonEvents:
     """The moon's events of `day`, or of each of many days (D,): by the calendar of `zone`, or of mean solar time.
 

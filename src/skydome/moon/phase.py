@@ -1,20 +1,22 @@
 """The moon's phase as seen from a place: its illuminated share, and which way its bright limb points."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
+from skydome.ground.labels import COMPONENTS, Parts, keeps_labels
 from skydome.moon.geocentric import moon_vectors
 from skydome.moon.libration import moon_axes, places_on_moon
 from skydome.moon.position import seen_vectors
-from skydome.sun.celestial import ASTRONOMICAL_UNIT, earth, place_axes
+from skydome.sun.celestial import ASTRONOMICAL_UNIT, LIGHT_DAYS_PER_AU, earth, place_axes
 from skydome.sun.place import Place
 from skydome.sun.position import checked_years
 from skydome.sun.times import Times, instants
 
 
 @dataclass(frozen=True, eq=False)
-class MoonPhase:
+class MoonPhase(Parts):
     """How the moon looks from a place; every number of the shape (...,) of the times, angles in radians.
 
     >>> from skydome.ground.units import deg
@@ -43,19 +45,23 @@ class MoonPhase:
     """Selenographic longitude of the place, east: libration."""
     latitude: np.ndarray
     """Selenographic latitude of the place: libration."""
+    earth: np.ndarray
+    """The earth's centre from the moon's, where sunlight that reaches the moon passed it, m, (..., 3)."""
+    own_axes: ClassVar = dict.fromkeys(("direction", "toward_sun", "north", "earth"), (COMPONENTS,))
+    units: ClassVar = {
+        "phase_angle": "rad", "distance": "m", "sun_distance": "AU",
+        "longitude_of_sun": "rad", "longitude": "rad", "latitude": "rad",
+    }  # fmt: skip
 
     @property
     def illuminated(self) -> np.ndarray:
         """Share of the disc that is lit: (1 + cos of the phase angle) / 2."""
-        return np.asarray((1 + np.cos(self.phase_angle)) / 2)
+        return lit_share(self.phase_angle)
 
     @property
     def elongation(self) -> np.ndarray:
         """Angle between moon and sun as seen from the place, radians."""
-        moon = self.direction * (self.distance / ASTRONOMICAL_UNIT)[..., None]
-        sun = moon + self.toward_sun * self.sun_distance[..., None]
-        across = np.linalg.norm(np.cross(moon, sun), axis=-1)
-        return np.asarray(np.arctan2(across, np.sum(moon * sun, axis=-1)))
+        return elongation(self.direction, self.distance, self.toward_sun, self.sun_distance)
 
     @property
     def bright_limb(self) -> np.ndarray:
@@ -71,6 +77,24 @@ class MoonPhase:
         return clock_angle(self.direction, self.north)
 
 
+@keeps_labels(angle=0)
+def lit_share(angle: np.ndarray) -> np.ndarray:
+    """Share of the disc that is lit, (...,), at a phase angle."""
+    return np.asarray((1 + np.cos(angle)) / 2)
+
+
+@keeps_labels("rad", direction=1, distance=0, toward_sun=1, sun_distance=0)
+def elongation(
+    direction: np.ndarray, distance: np.ndarray, toward_sun: np.ndarray, sun_distance: np.ndarray
+) -> np.ndarray:
+    """Angle between moon and sun, (...,): the moon's direction and distance, m, and from it to the sun, AU."""
+    moon = direction * (distance / ASTRONOMICAL_UNIT)[..., None]
+    sun = moon + toward_sun * sun_distance[..., None]
+    across = np.linalg.norm(np.cross(moon, sun), axis=-1)
+    return np.asarray(np.arctan2(across, np.sum(moon * sun, axis=-1)))
+
+
+@keeps_labels("rad", center=1, toward=1)
 def clock_angle(center: np.ndarray, toward: np.ndarray) -> np.ndarray:
     """Angle at `center` (..., 3) of the way to `toward` (..., 3): from the zenith, counterclockwise, [0, 2 pi)."""
     left, up = left_and_up(center)
@@ -86,6 +110,7 @@ def left_and_up(center: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return left, np.cross(center, left)
 
 
+@keeps_labels(time=0)
 def moon_phase(place: Place, time: Times) -> MoonPhase:
     """The `MoonPhase` at times (...,) from a place.
 
@@ -98,17 +123,21 @@ def moon_phase(place: Place, time: Times) -> MoonPhase:
     utc = given.ravel()
     axes = place_axes(place, utc)
     moon = seen_vectors(place, utc)
-    sun = -earth(utc)[0] - moon_vectors(utc)
+    (from_sun, velocity), from_centre = earth(utc), moon_vectors(utc)
+    sun = -from_sun - from_centre
     turned = moon_axes(utc)
     of_sun, _ = places_on_moon(turned, sun)
     back = -np.einsum("nji,nj->ni", axes, moon)
     longitude, latitude = places_on_moon(turned, back)
     toward_sun = np.einsum("nij,nj->ni", axes, sun)
     north = np.einsum("nij,nj->ni", axes, turned[:, 2])
+    way = np.linalg.norm(from_centre, axis=-1, keepdims=True) * LIGHT_DAYS_PER_AU
+    centre = -np.einsum("nij,nj->ni", axes, from_centre + velocity * way) * ASTRONOMICAL_UNIT
     size, far = np.linalg.norm(moon, axis=-1), np.linalg.norm(toward_sun, axis=-1)
     angle = np.arctan2(np.linalg.norm(np.cross(moon, toward_sun), axis=-1), -np.sum(moon * toward_sun, axis=-1))
-    grows = np.sin(of_sun) > 0
-    vectors = (moon / size[:, None], toward_sun / far[:, None], north)
-    numbers = (angle, size * ASTRONOMICAL_UNIT, far, grows, of_sun, longitude, latitude)
-    shape = given.shape
-    return MoonPhase(*(v.reshape(*shape, 3) for v in vectors), *(number.reshape(shape) for number in numbers))
+    told = {
+        "direction": moon / size[:, None], "toward_sun": toward_sun / far[:, None], "north": north,
+        "phase_angle": angle, "distance": size * ASTRONOMICAL_UNIT, "sun_distance": far, "waxing": np.sin(of_sun) > 0,
+        "longitude_of_sun": of_sun, "longitude": longitude, "latitude": latitude, "earth": centre,
+    }  # fmt: skip
+    return MoonPhase(**{name: value.reshape(given.shape + value.shape[1:]) for name, value in told.items()})

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Iterator
 from dataclasses import fields, replace
 from functools import wraps
-from inspect import signature
+from inspect import isfunction, signature
 from typing import Any, ClassVar, NamedTuple, TypeVar, cast
 
 import numpy as np
 
 from skydome.ground.arrays import is_compiling, is_labelled
-from skydome.ground.labels import Axis, Door, Last, last_of
+from skydome.ground.labels import COMPONENTS, Axis, Door, Last, last_of
 from skydome.ground.limits.ranges import HeldBySky
 from skydome.skies.validity import Ranged
 
@@ -36,8 +36,22 @@ ANSWERS = {
     "stokes": Answer("W m-2 sr-1 nm-1", (Axis("stokes", ("I", "Q", "U"), 3),), spectral=True),
     "degree_of_polarisation": Answer("", spectral=True),
     "angle_of_polarisation": Answer("rad", spectral=True),
+    "broadband_radiance": Answer("W m-2 sr-1"),
+    "illuminance": Answer("lx"),
+    "irradiance": Answer("W m-2 nm-1", spectral=True),
 }
-"""The ladder's methods."""
+"""The ladder's methods, and those of single classes."""
+
+KNOWN = {
+    "valid": Answer(""),
+    "is_day": Answer(""),
+    "diffuse_illuminance": Answer("lx"),
+    "direct_normal_illuminance": Answer("lx"),
+    "normal_xyz": Answer("lx", XYZ_CHANNELS),
+    "sun_distance": Answer("AU"),
+    "seen_sun": Answer("", (COMPONENTS,)),
+}
+"""What a sky knows without being asked for directions: properties."""
 
 
 class LabelledLight(Ranged):
@@ -55,8 +69,13 @@ class LabelledLight(Ranged):
 
     def __init_subclass__(cls, **named: Any) -> None:
         super().__init_subclass__(**named)
-        for name in ANSWERS.keys() & vars(cls).keys():
-            setattr(cls, name, with_labels(vars(cls)[name]))
+        own = dict(vars(cls))  # a field of such a name is what was given
+        for name in ANSWERS.keys() & own.keys():
+            if isfunction(own[name]):
+                setattr(cls, name, with_labels(own[name]))
+        for name in KNOWN.keys() & own.keys():
+            if isinstance(own[name], property):
+                setattr(cls, name, property(knows_labels(own[name]), doc=own[name].__doc__))
 
 
 def with_labels(method: Callable[..., Any]) -> Callable[..., Any]:
@@ -74,6 +93,25 @@ def with_labels(method: Callable[..., Any]) -> Callable[..., Any]:
     return called
 
 
+def knows_labels(known: property) -> Callable[[Any], Any]:
+    """What gets a property of a sky, with labels where the sky has some."""
+    get = cast(Callable[[Any], Any], known.fget)
+
+    @wraps(get)
+    def got(sky: Any) -> Any:
+        if is_compiling() or not (given := list(labelled_parts(sky))):
+            return get(sky)
+        door, (unit, last, _) = Door.of(given), KNOWN[get.__name__]
+        return door.labelled(getattr(plain_sky(sky, door), get.__name__), last, get.__name__, unit)
+
+    return got
+
+
+def plain_sky(sky: Any, door: Door) -> Any:
+    """A sky with plain arrays in place of the labelled ones that a door has met."""
+    return changed(sky, lambda value, core: door.array(value, core) if is_labelled(value) else value)
+
+
 def answered(
     sky: Any, name: str, given: list[tuple[Any, int]], arguments: tuple[Any, ...], named: dict[str, Any]
 ) -> Any:
@@ -87,8 +125,9 @@ def answered(
             return value
         return np.asarray(value) if value is wavelengths else door.array(value, 1)
 
-    bare = changed(sky, lambda value, core: door.array(value, core) if is_labelled(value) else value)
-    light = getattr(bare, name)(*map(plain, arguments), **{key: plain(value) for key, value in named.items()})
+    light = getattr(plain_sky(sky, door), name)(
+        *map(plain, arguments), **{key: plain(value) for key, value in named.items()}
+    )
     if wavelengths is not None:
         last = (*wavelength_axis(wavelengths), *last)
     return door.labelled(light, last, name, unit)

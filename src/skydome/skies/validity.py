@@ -73,7 +73,7 @@ class Ranged(Bounded):
         """Validate; NumPy arrays become the sky's own, so that it stays what it was when the caller's change."""
         for item in fields(self):
             value = getattr(self, item.name)
-            if isinstance(value, (np.ndarray, list, tuple)):
+            if item.init and isinstance(value, (np.ndarray, list, tuple)):
                 object.__setattr__(self, item.name, own(value))
         require_check(self.check)
         namespace(*[value for item in fields(self) if has_library(value := getattr(self, item.name))])

@@ -1,10 +1,12 @@
 """The planets over a place, and how bright they are."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from skydome.ground.arguments import require_kind
+from skydome.ground.labels import COMPONENTS, Parts, keeps_labels
 from skydome.ground.units import deg
 from skydome.sun.celestial import LIGHT_DAYS_PER_AU, aberrated, earth, from_place, terrestrial_days
 from skydome.sun.geocentric import JULIAN_DAY_J2000
@@ -26,7 +28,7 @@ POLE_OF_SATURN = np.array([np.cos(40.589 * deg) * np.cos(83.537 * deg), np.sin(4
 
 
 @dataclass(frozen=True, eq=False)
-class Planet:
+class Planet(Parts):
     """A planet as seen from a place at times (...,).
 
     >>> venus = planets(Place(50.0, 8.0), "2026-06-09T22:30+02:00")[1]
@@ -43,6 +45,8 @@ class Planet:
     """Between sun and earth at the planet, radians."""
     magnitude: np.ndarray
     """In V, outside the air (Mallama and Hilton 2018)."""
+    own_axes: ClassVar = {"direction": (COMPONENTS,)}
+    units: ClassVar = {"distance": "AU", "phase_angle": "rad"}
 
     @property
     def colour(self) -> float:
@@ -50,6 +54,7 @@ class Planet:
         return COLOURS[self.name]
 
 
+@keeps_labels(time=0)
 def planets(place: Place, time: Times, refraction: bool = False) -> tuple[Planet, ...]:
     """The seven planets from Mercury to Neptune as seen from a place at times (...,), with parallax and aberration.
 

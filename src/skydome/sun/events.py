@@ -3,11 +3,12 @@
 from dataclasses import dataclass, fields
 from datetime import UTC, date, datetime, tzinfo
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skydome.ground.arrays import brief
+from skydome.ground.labels import Parts, keeps_labels
 from skydome.sun.day_events import SUNRISE, day_events, later
 from skydome.sun.many_days import many_days
 from skydome.sun.place import Place
@@ -24,7 +25,7 @@ WORDS = {
 
 
 @dataclass(frozen=True)
-class SunEvents:
+class SunEvents(Parts):
     """Instants (datetime64[us], UTC) of one day's events, None for those that do not come; of N days (N,), NaT then.
 
     `noon` is the transit: the sun on the meridian. `noon_elevation` is the true one then, radians. `daylight` says in
@@ -48,6 +49,7 @@ class SunEvents:
     astronomical_dawn: Instant
     astronomical_dusk: Instant
     zone: tzinfo = UTC
+    units: ClassVar = {"noon_elevation": "rad"}
 
     @property
     def instants(self) -> dict[str, Any]:
@@ -61,27 +63,32 @@ class SunEvents:
 
         Of many days arrays of them, (N,).
         """
-
-        def in_zone(instant: Any) -> datetime | None:
-            if instant is None or np.isnat(instant):
-                return None
-            utc: datetime = instant.astype("datetime64[us]").item()
-            return utc.replace(tzinfo=UTC).astimezone(self.zone)
-
-        def told(value: Any) -> Any:
-            if np.ndim(value) == 0:
-                return in_zone(value)
-            return np.array([in_zone(instant) for instant in value], dtype=object)
-
-        return {name: told(value) for name, value in self.instants.items()}
+        return {name: in_zone(value, self.zone) for name, value in self.instants.items()}
 
     @property
     def daylight(self) -> Any:
         """In words: sunrise and sunset, polar day, polar night, or which of the two comes alone; of many days (N,)."""
         if np.ndim(self.noon) == 0:
             return daylight_of(self.sunrise is not None, self.sunset is not None, self.noon_elevation)
-        there = (~np.isnat(value) for value in (self.sunrise, self.sunset))  # type: ignore[arg-type]
-        return np.array([daylight_of(*day) for day in zip(*there, self.noon_elevation, strict=True)])
+        return daylight(self.sunrise, self.sunset, self.noon_elevation)
+
+
+@keeps_labels(instant=0)
+def in_zone(instant: Any, zone: tzinfo) -> Any:
+    """An instant (datetime64, UTC) as an aware datetime, None for NaT and None; of many (N,) an array of them."""
+    if np.ndim(instant):
+        return np.array([in_zone(one, zone) for one in instant], dtype=object)
+    if instant is None or np.isnat(instant):
+        return None
+    utc: datetime = instant.astype("datetime64[us]").item()
+    return utc.replace(tzinfo=UTC).astimezone(zone)
+
+
+@keeps_labels(sunrise=0, sunset=0, noon_elevation=0)
+def daylight(sunrise: Any, sunset: Any, noon_elevation: Any) -> np.ndarray:
+    """What many days (N,) are called."""
+    there = (~np.isnat(instants) for instants in (sunrise, sunset))
+    return np.array([daylight_of(*day) for day in zip(*there, noon_elevation, strict=True)])
 
 
 def daylight_of(rises: bool, sets: bool, noon_elevation: float) -> str:
@@ -94,6 +101,7 @@ def daylight_of(rises: bool, sets: bool, noon_elevation: float) -> str:
     return WORDS.get((bool(rises), bool(sets)), polar)
 
 
+@keeps_labels(day=0)
 def sun_events(place: Place, day: Any, zone: str | tzinfo | None = None) -> SunEvents:
     """The events around the noon of `day`, or of each of many days, each within 0.05 s of the root of SPA's elevation.
 

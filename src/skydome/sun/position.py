@@ -103,6 +103,7 @@ def solar_radius(time: Times) -> np.ndarray:
     return radius
 
 
+@keeps_labels("rad", distance=0)
 def radius_at(distance: Array) -> Array:
     """Angular radius of the sun's disc from a distance in AU, radians, shape of `distance`.
 

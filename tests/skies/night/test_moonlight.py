@@ -7,9 +7,9 @@ import skydome as sd
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_weights
 from skydome.moon.phase import left_and_up
-from skydome.skies.night.lunar_light import BANDS, LunarLight, reflectance
-from skydome.skies.night.moon_disc import MoonDisc
-from skydome.skies.night.moonlight import Moonlight
+from skydome.skies.night.moon.lunar_light import BANDS, LunarLight, reflectance
+from skydome.skies.night.moon.moon_disc import MoonDisc
+from skydome.skies.night.moon.moonlight import Moonlight
 
 PLACE = sd.Place(50.0, 8.0)
 FULL, HALF, YOUNG = "2026-01-03T22:00Z", "2026-01-11T03:00Z", "2026-04-19T20:00Z"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.air.cross_sections import solar_irradiance
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.night.airglow import van_rhijn
@@ -113,6 +114,18 @@ def test_airglow_rises_toward_the_horizon_and_with_the_sun():
     np.testing.assert_allclose(sd.surface_magnitude(quiet), 27.78 - 2.5 * np.log10(145), atol=0.01)
 
 
+def test_colour_of_a_dark_zenith():
+    """Between La Palma (.8, .9), Paranal (1.0, .7) and Mauna Kea (B - V .93: Krisciunas 1997); the sun has .65, .35."""
+    high = sd.Place(30.0, 8.0)
+    night = sd.sky_at(high, "2026-04-16T23:30Z", only=["airglow", "zodiacal light", "starlight"])
+    steps = [np.arange(c - w / 2, c + w / 2 + 1, 5.0) for c, w in ((438, 90), (545, 85), (655, 140))]
+    ratio = [night.radiance(sd.ZENITH, band).mean() / solar_irradiance(band).mean() for band in steps]
+    blue, red = -2.5 * np.log10(ratio[0] / ratio[1]) + 0.65, -2.5 * np.log10(ratio[1] / ratio[2]) + 0.35
+    print(f"B - V {blue:.2f}, V - R {red:.2f}")
+    assert 0.8 < blue < 1.0
+    assert 0.7 < red < 0.9
+
+
 def test_skyglow_by_class_and_meter():
     for number, magnitude in enumerate(BORTLE, 1):
         glow = float(sd.SkyGlow.of_bortle(number).luminance(sd.ZENITH))
@@ -155,6 +168,8 @@ def test_parts_by_the_hour():
     np.testing.assert_allclose(sum(parts), float(sd.illuminance(night)), rtol=1e-3)
     assert sd.sky_at(PLACE, MOONLESS, only=["airglow"]).names == ("airglow",)
     assert any("below -18" in note for note in night.notes)
+    with pytest.raises(ValueError, match="light on the level through all of them"):
+        sd.sky_at(PLACE, [MOONLESS, FULL])
     for wrong, words in ((["sun"], "gives light at that hour"), (["aurora"], "a part must be one of")):
         with pytest.raises(ValueError, match=words):
             sd.sky_at(PLACE, MOONLESS, only=wrong)
@@ -197,6 +212,7 @@ def test_an_eclipse_dims_sun_and_sky():
     left = eclipse.left(np.array([400.0, 700.0]))
     assert left[0] < left[1]  # the limb that is left is redder
     assert any("eclipse" in note for note in deep.notes)
+    assert any("no moon: it is before the sun" in note for note in deep.notes)
     np.testing.assert_allclose(Eclipse.over(place, "2026-01-01T12:00Z").left(np.array([500.0])), 1.0)
 
 

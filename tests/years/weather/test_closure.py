@@ -13,7 +13,7 @@ import pytest
 
 import skydome as sd
 from skydome.years.skies.series import year
-from skydome.years.weather.closure import aligned, closure_of
+from skydome.years.weather.closure import Closure, aligned, closure_of
 from skydome.years.weather.reading import read_weather
 
 DATA = Path(os.environ.get("SKYDOME_DATA", Path(__file__).resolve().parents[3].parent / "shared" / "data")) / "weather"
@@ -35,6 +35,17 @@ def test_a_year_shifted_on_purpose(greensboro, minutes):
     put_right = aligned(shifted(greensboro, minutes), "auto")
     assert abs((put_right.start - greensboro.start).astype(int)).max() <= 60
     assert put_right.shifted == found.shift
+
+
+def test_a_shift_of_nearly_an_hour_asks_for_the_zone():
+    words = {
+        minutes: Closure(0.1, minutes, 0.01, minutes, minutes).text for minutes in (57.0, -63.0, 118.0, 30.0, 90.0)
+    }
+    assert {minutes: text[-1] == "?" for minutes, text in words.items()} == dict(
+        zip(words, (1, 1, 1, 0, 0), strict=True)
+    )
+    assert words[57.0].endswith("57 min later: is the time zone 1 h off?")
+    assert words[118.0].endswith("is the time zone 2 h off?")
 
 
 @pytest.mark.parametrize("minutes", [0, 5, -5])

@@ -35,14 +35,15 @@ def convert(
     rows = picture.height_in(wanted.projection) if height is None else height
     with progress(f"resampling to {rows} rows"):
         result = picture.resampled(wanted.projection, rows)
-        result.save(output, **file.choices)
+        shown = file.seen(result)
+        shown.save(output, **file.choices)
     found = layout_of(picture.projection)
     before, after = float(picture.illuminance()), float(result.illuminance())
     facts = {
         "source": str(source),
         "from": layout or (found.name if found else repr(picture.projection)),
         "illuminance_lx": {"source": before, "file": after},
-        **file_facts(output, result, wanted, file),
+        **file_facts(output, shown, wanted, file),
     }
     rows_shown = {
         "source": f"{source} ({facts['from']})",

@@ -1,16 +1,18 @@
-"""`skydome render`: an environment map of the sky in a file, the scene that lights with it, or a sequence of both."""
+"""`skydome render`: an environment map of the sky in a file, the scene that lights with it, a sequence, or spectra."""
 
 from pathlib import Path
 from typing import Annotated, Any
 
 from typer import Option
 
+from skydome.cli.commands.year import steps
 from skydome.cli.doors import progress
 from skydome.cli.frames import Frames, frame_facts, is_dark
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder, order_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
+from skydome.cli.spectral_map import spectral_map, spectral_rows
 
 
 @taking(SkyOptions, FileOptions)
@@ -39,9 +41,20 @@ def render(
     step: Annotated[
         str | None, Option(metavar="10min", help="A sequence: a map every 10min from --time to --until.")
     ] = None,
+    wavelengths: Annotated[
+        str | None, Option(metavar="FROM,TO,STEP", help="Spectra instead, nm: 390,710,20 into sky.hsr or sky.exr.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Write an environment map of the sky and print its numbers."""
+    if wavelengths is not None:
+        if scene is not None or step is not None or ground is not None or space != "srgb":
+            raise ValueError("--wavelengths writes spectra of one sky: no --scene, --step, --ground or --space")
+        waves = steps(wavelengths)
+        with progress("rendering spectra"):
+            facts = spectral_map(options, file, output, waves, height, north)
+        show(facts, spectral_rows(facts), as_json)
+        return
     order = MapOrder(options, file, output, height, space, ground, north, scene)
     if step is not None:
         facts = sequence(Frames.of(order.checked(), step))

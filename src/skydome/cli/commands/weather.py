@@ -1,4 +1,4 @@
-"""`skydome weather`: how good a weather file's light is, a picture of it, and its repair."""
+"""`skydome weather`: how good a weather file's light is, a picture of it, its repair, and minutes made of its hours."""
 
 import warnings
 from pathlib import Path
@@ -20,6 +20,11 @@ def weather(
     repair: Annotated[
         Path | None, Option("--repair", help="Write it repaired, each repair flagged: site.epw or table.csv.")
     ] = None,
+    downscale: Annotated[
+        Path | None, Option("--downscale", help="Write it in steps of minutes, clouds made up: site.wea.")
+    ] = None,
+    step: Annotated[str, Option(metavar="MINUTES", help="The steps of --downscale: 1min to 30min.")] = "5min",
+    seed: Annotated[int, Option(help="Of --downscale: another seed, other clouds.")] = 0,
     plot: Annotated[Path | None, Option(help="A picture of the record: quality.png, .svg or .pdf.")] = None,
     place: Annotated[
         str | None, Option(metavar="LAT,LON[,ALT]", help="For a table that tells of no site; else in its stead.")
@@ -30,7 +35,10 @@ def weather(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Tell how good a weather file's light is: gaps, light at night, shifts, limits, clearness; repair it if asked."""
+    """Tell how good a weather file's light is: gaps, light at night, shifts, limits, clearness; repair it if asked.
+
+    With --downscale its hours, repaired first where --repair is asked for too, become minutes of the same energy.
+    """
     from skydome.figures.skies import FORMATS, save_figure
     from skydome.sun.place import Place
     from skydome.years.quality.repaired_file import write_repaired
@@ -39,7 +47,9 @@ def weather(
     from skydome.years.weather.reading import read_weather
 
     require_output(repair, "--repair", (".epw", ".csv", ".gz"))
+    require_output(downscale, "--downscale", (".wea",))
     require_output(plot, "a plot's file", FORMATS)
+    fine = minutes_of(step)
     if plot is not None:
         required("matplotlib", "plot", "a plot")
     moved: Any = minutes(shift)
@@ -53,13 +63,47 @@ def weather(
             done = repaired(record)
             write_repaired(done, file, repair)
             facts["repaired_hours"] = done.counts
+            record = done.weather
+        if downscale is not None:
+            facts["downscaled"] = write_downscaled(record, downscale, fine, seed)
         if plot is not None:
             from skydome.figures.weather import weather_figure
 
             save_figure(weather_figure(report), plot)
     facts["notes"] = [str(warning.message) for warning in caught if warning.category is UserWarning]
-    facts["files"] = [str(path) for path in (repair, plot) if path is not None]
+    facts["files"] = [str(path) for path in (repair, downscale, plot) if path is not None]
     show(facts, rows_of(facts), as_json)
+
+
+def minutes_of(step: str) -> int:
+    """Minutes of a step such as 5min or 5; ValueError for other words.
+
+    >>> minutes_of("5min"), minutes_of("10")
+    (5, 10)
+    """
+    digits = step.removesuffix("min").strip()
+    if not digits.isdecimal():
+        raise ValueError(f"--step must be minutes such as 5min, got {step!r}")
+    return int(digits)
+
+
+def write_downscaled(record: Any, path: Path, step: int, seed: int) -> dict[str, Any]:
+    """What is told of the record's minutes, once written as a tape."""
+    from skydome.years.downscaling.downscaled import downscaled
+    from skydome.years.quality.report import quality
+    from skydome.years.weather.wea import write_wea
+
+    fine = downscaled(record, step, seed)
+    write_wea(fine, path)
+    report = quality(fine)
+    sums = {name: round(value, 1) for name, value in report.sums.items()}
+    return {
+        "step_min": step,
+        "seed": seed,
+        "rows": fine.count,
+        "irradiation_kwh_m2": sums,
+        "variability": round(report.variability, 4),
+    }
 
 
 def facts_of(report: Any) -> dict[str, Any]:
@@ -102,8 +146,18 @@ def rows_of(facts: dict[str, Any]) -> dict[str, str]:
         "turbidity": "Linke, clearest hours: " + ", ".join(f"{name} {value:.1f}" for name, value in known),
     }
     texts = {
+        "downscaled": downscaled_text(facts["downscaled"]) if "downscaled" in facts else "",
         "repaired": ", ".join(f"{count:,} h {name}" for name, count in facts.get("repaired_hours", {}).items()),
         "files": ", ".join(facts["files"]),
         "notes": "\n".join(facts["notes"]),
     }
     return rows | {name: text for name, text in texts.items() if text}
+
+
+def downscaled_text(made: dict[str, Any]) -> str:
+    """What is told of the minutes, for people."""
+    sums = ", ".join(f"{name} {value:,.0f}" for name, value in made["irradiation_kwh_m2"].items())
+    return (
+        f"{made['rows']:,} rows of {made['step_min']} min, seed {made['seed']}: {sums} kWh m⁻²; variability "
+        f"{made['variability']:.3f} from step to step"
+    )

@@ -186,8 +186,8 @@ def made_and_written(
         return data
     if output.suffix.lower() != ".mtx":
         write_dataset(data, output, overwrite)
-    elif "radiance" in data and not sun_in_patch:
-        write_spectral_matrix(data, output, not ascii_text)
+    elif "radiance" in data:
+        write_spectral_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
     else:
         write_matrix(data, output, not ascii_text, with_sun=sun_in_patch)
     return data

@@ -7,7 +7,7 @@ from typer import Argument, Option
 
 from skydome.cli.doors import progress
 from skydome.cli.map_file import Exposure, Half
-from skydome.cli.night.film import film_of, show_film
+from skydome.cli.night.film import film_of, movie_of, show_film
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 
@@ -44,11 +44,20 @@ def animate(
     step: Annotated[str, Option(metavar="10min", help="Time between the frames of --date.")] = "10min",
     height: Annotated[int, Option(help="Rows of the frames of --date.")] = 512,
     exposure: Exposure = None,
+    film: Annotated[
+        Path | None,
+        Option(metavar="NIGHT.mp4", help="Also the frames of --date as a film, exposed for their content (ffmpeg)."),
+    ] = None,
+    night_vision: Annotated[
+        bool, Option("--night-vision", help="The --film as the eye sees it: dark places bluish, without colour.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Write the frames of a day: between captures, by a neural sky trained on them, or of --date; can go on."""
+    movie = movie_of(film, date, exposure, night_vision)
     if date is not None:
-        show_film(film_of(folder, place, date, zone, step, output, height, exposure), as_json)
+        level = exposure if movie is None else None
+        show_film(film_of(folder, place, date, zone, step, output, height, level), movie, as_json)
         return
     if folder is None:
         raise ValueError("animate needs a folder of captures, or --place and --date")

@@ -3,9 +3,12 @@
 from datetime import datetime, timedelta
 from pathlib import Path
 
+import numpy as np
+
 from skydome.cli.frames import Frames, duration
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder
+from skydome.cli.night.movie import Movie
 from skydome.cli.options import SkyOptions
 
 FRAMES = {"exr": "sky.####.exr", "png": "sky.####.png"}
@@ -45,10 +48,30 @@ def film_of(
     return film_frames(place, date, zone, step, folder, height, exposure)
 
 
-def show_film(frames: Frames, as_json: bool) -> None:
-    """Make the frames that are not there yet, and say what was made."""
+def movie_of(film: Path | None, date: str | None, exposure: float | None, night_vision: bool) -> Movie | None:
+    """The movie of the options, None where none is asked for; ValueError for what does not fit together."""
+    if film is None:
+        if night_vision:
+            raise ValueError("--night-vision is of a film: give --film night.mp4 too")
+        return None
+    if date is None:
+        raise ValueError("--film is of a day without captures: give --place and --date")
+    return Movie(film, exposure, night_vision)
+
+
+def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
+    """Make the frames that are not there yet, and the movie of all, and say what was made."""
     from skydome.cli.commands.render import sequence, sequence_rows
+    from skydome.cli.doors import progress
     from skydome.cli.printing import show
 
+    if movie is not None:
+        movie.require()
     facts = sequence(frames)
-    show(facts, sequence_rows(facts), as_json)
+    rows = sequence_rows(facts)
+    if movie is not None:
+        seconds = np.array([time.timestamp() for time in frames.times])
+        with progress("encoding the film") as report:
+            told = movie.made([order.output for order in frames], seconds, report)
+        facts, rows = facts | told, rows | {"film": "{film}, {film_seconds:.1f} s".format(**told)}
+    show(facts, rows, as_json)

@@ -12,6 +12,8 @@ def moon_facts(place: Any, time: datetime) -> dict[str, Any]:
     phase = sd.moon_phase(place, time)
     seen = sd.moon_direction(place, time, refraction=True)
     events = sd.moon_events(place, time.date(), zone=time.tzinfo)
+    eclipse = sd.LunarEclipse.at(time)
+    depths = {"umbral": float(eclipse.umbral_magnitude), "penumbral": float(eclipse.penumbral_magnitude)}
     return {
         "azimuth_deg": float(azimuth(phase.direction)) / sd.deg,
         "elevation_deg": float(elevation(phase.direction)) / sd.deg,
@@ -22,6 +24,7 @@ def moon_facts(place: Any, time: datetime) -> dict[str, Any]:
         "illuminated": float(phase.illuminated),
         "waxing": bool(phase.waxing),
         "bright_limb_deg": float(phase.bright_limb) / sd.deg,
+        "eclipse_magnitude": depths if depths["penumbral"] > 0 else None,
         "events": {name: seconds(at) for name, at in events.local.items()},
     }
 
@@ -45,7 +48,12 @@ def planet_facts(place: Any, time: datetime) -> list[dict[str, Any]]:
 
 def moon_rows(facts: dict[str, Any]) -> dict[str, str]:
     """The moon for people."""
-    events = facts["events"].items()
+    events, eclipse = facts["events"].items(), facts["eclipse_magnitude"]
+    told = (
+        {}
+        if eclipse is None
+        else {"moon's eclipse": "magnitude {umbral:.2f}, {penumbral:.2f} penumbral".format(**eclipse)}
+    )
     return {
         "moon": "azimuth {azimuth_deg:.4f}°, elevation {elevation_deg:.4f}°".format(**facts)
         + ", refracted {refracted_elevation_deg:.4f}°".format(**facts),
@@ -54,6 +62,7 @@ def moon_rows(facts: dict[str, Any]) -> dict[str, str]:
         "bright limb": "{bright_limb_deg:.1f}° counterclockwise from the top".format(**facts),
         "moon's day": ", ".join(f"{name} {'none' if at is None else at[11:19]}" for name, at in events),
         "moon's distance": "{distance_km:.0f} km, angular radius {angular_radius_deg:.4f}°".format(**facts),
+        **told,
     }
 
 

@@ -40,11 +40,10 @@ def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight
     for name, option in BY_DAY_ALONE.items():
         if getattr(options, name) is not None:
             raise ValueError(f"{option} needs the sun above the horizon, got a night, twilight or total eclipse")
-    if north:
-        raise ValueError("--north turns the sun's sky alone; leave it out when the sun has set or is covered")
     moment = moment_of(options)
     sky, notes = build(model, moment, options)
     whole = sd.sky_at(place_of(moment), moment.time, sky.atmosphere)  # type: ignore[arg-type,attr-defined]
+    whole = whole.turned(north * sd.deg) if north else whole
     said = [note for note in notes if not note.startswith("sun:")]
     discs = [name for name in ("sun", "moon") if name in whole.names]
     shown = whole.without(*discs) if len(whole.names) > len(discs) else whole

@@ -6,14 +6,18 @@ import numpy as np
 
 from skydome.dome.energy.weighted import parts_of
 from skydome.light.action_spectra import UV_INDEX_OF_A_WATT, erythemal_action, photosynthetic_action
+from skydome.skies.labelled import outer_labels
 from skydome.skies.sky import Sky
 
 ULTRAVIOLET = np.arange(290.0, 401.0, 2.0)
 PLANTS = np.arange(400.0, 701.0, 10.0)
 
 
+@outer_labels("")
 def uv_index(sky: Sky) -> Any:
     """UV index on the horizontal, (...,), of a `PhysicalSky` alone or with its sun's disc: 290-400 nm.
+
+    Of suns and airs (...,), or (..., 1).
 
     Erythemal irradiance (CIE S 007) times 40. Below 300 nm, where 2-6 % of it lies, the sky's light goes as the beam's.
     TypeError for other skies.
@@ -27,6 +31,7 @@ def uv_index(sky: Sky) -> Any:
     return UV_INDEX_OF_A_WATT * (diffuse + direct)
 
 
+@outer_labels("umol m-2 s-1")
 def photosynthetic_photon_flux(sky: Sky) -> Any:
     """Photons for plants on the horizontal, micromoles m-2 s-1 at 400-700 nm, (...,); `sky` as in `broadband`.
 

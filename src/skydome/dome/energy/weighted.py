@@ -34,7 +34,10 @@ def knows_energy(sky: Sky) -> bool:
 def parts_of(
     sky: Sky, wavelengths: np.ndarray, action: Any, beam_alone: bool = False, check: Check | None = None
 ) -> tuple[Any, Any, Any]:
-    """What light does by an `action`: diffuse and direct on the horizontal, and direct normal, (...,) each."""
+    """What light does by an `action`: diffuse and direct on the horizontal, and direct normal, (...,) each.
+
+    Of suns and airs (...,); an axis of 1 for views, their last one, is dropped.
+    """
     discs, rest = discs_and_rest(sky)
     require_energy(discs, rest)
     diffuse, direct, normal = 0.0, 0.0, 0.0
@@ -43,11 +46,12 @@ def parts_of(
         if not beam_alone:
             held = inner if check is None or inner.check != "raise" else replace(inner, check=check)
             each = weights_of(inner.atmosphere, wavelengths, action) * factor
-            diffuse = diffuse + diffuse_of(held, wavelengths) @ constant(each, inner.toward)
+            light = diffuse_of(held, wavelengths)
+            diffuse = diffuse + light @ constant(each, light)
     for disc, factor in cast(list[tuple[AtmosphereSun, Any]], discs):
-        beam = alone(disc.irradiance(wavelengths)) @ weights_of(disc.atmosphere, wavelengths, action) * factor
-        height = np.maximum(alone(disc.sun)[..., 2], 0.0)
-        direct, normal = direct + beam * height, normal + beam
+        beam = disc.irradiance(wavelengths) @ weights_of(disc.atmosphere, wavelengths, action) * factor
+        level = beam * np.maximum(np.asarray(disc.sun)[..., 2], 0.0)
+        direct, normal = direct + alone(level), normal + alone(beam)
     return diffuse, direct, normal
 
 
@@ -65,19 +69,27 @@ def require_energy(discs: list[tuple[SunDisc, Any]], rest: list[Sky]) -> None:
 
 
 def diffuse_of(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
-    """Spectral irradiance of the sky on the horizontal, W m-2 nm-1, (..., W)."""
+    """Spectral irradiance of the sky on the horizontal, W m-2 nm-1, (..., W), of suns and airs (...,) or (..., 1)."""
+    known = wavelengths >= WAVELENGTHS.low
+    light = level_irradiance(sky, wavelengths[known])
+    if known.all():
+        return light
+    xp, short = namespace(light), wavelengths[: np.argmax(known) + 1]
+    depth: Array = sum((same(part.depth(short), light) for part in sky.atmosphere.constituents), 0.0)
+    mass, sunlight = air_mass(sky.toward[..., 2])[..., None], sky.atmosphere.sun_at(short)
+    fall = alone(xp.exp(-(depth - depth[..., -1:]) * mass), axes=1) * constant(sunlight / sunlight[-1], light)
+    return xp.concat([light[..., :1] * fall[..., :-1], light], axis=-1)
+
+
+def level_irradiance(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
+    """The same at wavelengths that the networks know: views are an axis after that of 1, else the first."""
     directions, solid_angles = hemisphere(RINGS, COLUMNS)
     nodes, each = (constant(part, sky.toward) for part in (directions, solid_angles * directions[:, 2]))
-    known = wavelengths >= WAVELENGTHS.low
-    if known.all():
+    shape = np.shape(sky.valid)
+    if shape[-1:] in ((), (1,)):
         return each @ sky.radiance(nodes, wavelengths)
-    light = each @ sky.radiance(nodes, wavelengths[known])
-    short = wavelengths[: np.argmax(known) + 1]
-    depth = sum((same(part.depth(short), light) for part in sky.atmosphere.constituents), 0.0)
-    xp, sunlight = namespace(light), sky.atmosphere.sun_at(short)
-    mass = alone(air_mass(sky.toward[..., 2])[..., None])
-    fall = xp.exp(-(alone(depth) - alone(depth)[..., -1:]) * mass) * constant(sunlight / sunlight[-1], light)
-    return xp.concat([light[..., :1] * fall[..., :-1], light], axis=-1)
+    views = nodes.reshape(-1, *(1 for _ in shape), 3)
+    return namespace(each).tensordot(each, sky.radiance(views, wavelengths), axes=1)
 
 
 def weights_of(air: Atmosphere, wavelengths: np.ndarray, action: Any) -> np.ndarray:
@@ -90,6 +102,11 @@ def weights_of(air: Atmosphere, wavelengths: np.ndarray, action: Any) -> np.ndar
     return result
 
 
-def alone(light: Array) -> Array:
-    """Numbers (..., 1, W) of suns that have an axis for views without it."""
-    return light[..., 0, :] if light.ndim > 1 else light
+def alone(light: Array, axes: int = 0) -> Array:
+    """Numbers of suns and airs (..., 1) that have an axis for views without it; `axes` come after that."""
+    views = light.ndim - axes - 1
+    return (
+        light.reshape(*light.shape[:views], *light.shape[views + 1 :])
+        if views >= 0 and light.shape[views] == 1
+        else light
+    )

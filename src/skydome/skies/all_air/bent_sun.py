@@ -11,6 +11,7 @@ from skydome.air.bending import REFRACTIVITY
 from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import Array, at_least, constant, floating, limited, namespace, safe_divide, safe_sqrt
 from skydome.ground.directions import checked_directions, tangent_frame
+from skydome.ground.labels import like_labelled
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.single_scattering import as_seen
@@ -36,13 +37,16 @@ class BentSun(AtmosphereSun):
     """
 
     standing: Any = field(default=None, kw_only=True)
+    directions_held: ClassVar[tuple[str, ...]] = ("sun", "standing")
     source: ClassVar[str] = "the atmosphere's sunlight and depths along bent rays; limb darkening of Hosek and Wilkie"
 
     @classmethod
     def through(cls, air: Atmosphere, standing: Array, angular_radius: Any) -> Self:
-        """The disc of a sun that stands toward `standing` (..., 3) without air."""
+        """The disc of a sun that stands toward `standing` (..., 3) without air, which may be labelled."""
         sun = np.asarray(standing, np.float64)
-        return cls(as_seen(ColumnTables.of(air), sun), angular_radius=angular_radius, atmosphere=air, standing=sun)
+        seen = as_seen(ColumnTables.of(air), sun)
+        seen, sun = like_labelled(seen, standing), like_labelled(sun, standing)
+        return cls(seen, angular_radius=angular_radius, atmosphere=air, standing=sun)
 
     @cached_property
     def tables(self) -> ColumnTables:
@@ -56,14 +60,8 @@ class BentSun(AtmosphereSun):
         return np.asarray(self.standing[..., 2] > lowest)
 
     def left(self, sine: Array, wavelengths: Any) -> Array:
-        """Transmittance of the air toward sines of apparent elevations (...,), (..., W)."""
-        depths = np.stack([np.asarray(part.depth(wavelengths)) for part in self.atmosphere.constituents])
-        ground, sine, air = np.zeros_like(sine), at_least(sine, 0.0), self.atmosphere
-        light = np.exp(-self.tables.toward(ground, sine) @ depths) * air.sun_at(wavelengths)
-        if air.gases is None:
-            return np.asarray(light)
-        columns = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(ground, sine)
-        return np.asarray(light * air.gases.transmittance(columns[..., 0], columns[..., 1], wavelengths))
+        """What the air leaves of the sunlight toward sines of apparent elevations, W m-2 nm-1, (..., W)."""
+        return sunlight_left(self.atmosphere, self.tables, sine, wavelengths)
 
     def centre_radiance(self, wavelengths: Any) -> Array:
         """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""
@@ -74,28 +72,29 @@ class BentSun(AtmosphereSun):
         """Where points evenly over the disc are seen, (..., count, 3), and the irradiance of each, (..., count, W)."""
         k = np.arange(count)
         square, turn = (k + 0.5) / count, k * np.pi * (3 - np.sqrt(5.0))
-        sun = self.standing if self.standing.ndim > 1 else self.standing[None]
-        sine = np.sqrt(square) * np.sin(self.angular_radius)
-        u, v = tangent_frame(sun)
-        across = (sine * np.cos(turn))[:, None] * u + (sine * np.sin(turn))[:, None] * v
-        true = across + np.sqrt(1 - sine**2)[:, None] * sun
+        sine = np.sqrt(square) * np.sin(np.asarray(self.angular_radius, np.float64))[..., None]
+        u, v = (axis[..., None, :] for axis in tangent_frame(self.standing))
+        across = (sine * np.cos(turn))[..., None] * u + (sine * np.sin(turn))[..., None] * v
+        true = across + np.sqrt(1 - sine**2)[..., None] * self.standing[..., None, :]
         seen = as_seen(self.tables, true)
         share = self.tables.seen(np.zeros(true.shape[:-1]), np.arcsin(np.clip(true[..., 2], -1, 1)))[1]
-        light = self.left(seen[..., 2], wavelengths) * limb_darkening(np.sqrt(1 - square), wavelengths)
+        light = sunlight_left(self.atmosphere, self.tables, seen[..., 2], wavelengths, spots=True)
+        light = light * limb_darkening(np.sqrt(1 - square), wavelengths)
         return seen, light * (share * (seen[..., 2] >= 0))[..., None] / (limb_mean(wavelengths) * count)
 
     def published_irradiance(self, wavelengths: Any) -> Array:
         """Direct normal irradiance of what is seen of the disc, W m-2 nm-1, shape (..., W)."""
-        light = self.spots(SPOTS, wavelengths)[1].sum(axis=-2)
-        return light[..., None, :] if self.standing.ndim > 1 else light
+        return np.asarray(self.spots(SPOTS, wavelengths)[1].sum(axis=-2))
 
     def points(self, count: int) -> tuple[Array, Array]:
-        """Directions (..., count, 3) over what is seen of the disc, and the XYZ of the light that each carries."""
+        """Directions (..., count, 3) over what is seen of the disc, and the XYZ of the light that each carries.
+
+        For one sun and air, or one for each of suns and airs (..., 1).
+        """
         directions, light = self.spots(count, self.bands)
         xyz = light @ xyz_weights(self.bands)
-        total = xyz.sum(axis=-2, keepdims=True)
-        normal = self.normal_xyz if self.standing.ndim > 1 else self.normal_xyz[None]
-        return directions, xyz * safe_divide(normal, np.broadcast_to(total, normal.shape))
+        xyz = xyz * safe_divide(self.normal_xyz[..., None, :], xyz.sum(axis=-2, keepdims=True))
+        return without_views(directions), without_views(xyz)
 
     def unbent(self, directions: Array) -> tuple[Array, Array]:
         """Where what is seen toward directions (..., 3) stands without air, and the sine of its apparent elevation."""
@@ -125,19 +124,37 @@ class BentSun(AtmosphereSun):
         return np.asarray((true[..., 1] - true[..., 0]) / self.angular_radius)
 
 
+def without_views(points: np.ndarray) -> np.ndarray:
+    """Points (..., 1, count, 3) of suns that have an axis for views without it, and those of one sun as they are."""
+    if points.ndim > 2 and points.shape[-3] != 1:
+        raise ValueError(f"points need one sun and air, or (..., 1) of them, got {points.shape[:-2]}")
+    return points[..., 0, :, :] if points.ndim > 2 else points
+
+
+def sunlight_left(air: Atmosphere, tables: ColumnTables, sine: Array, wavelengths: Any, spots: bool = False) -> Array:
+    """What air, or many airs (...,), leave of the sunlight toward sines of apparent elevations (...,), (..., W).
+
+    With `spots` the sines' last axis are points of each disc.
+    """
+    ground, rising = namespace(sine).zeros_like(sine), at_least(sine, 0.0)
+    columns = tables.toward(ground, rising)
+    depths = (same(part.depth(wavelengths), sine) for part in air.constituents)
+    depths = (depth[..., None, :] if spots else depth for depth in depths)
+    each = [columns[..., k, None] * depth for k, depth in enumerate(depths)]
+    light = namespace(sine).exp(-sum(each[1:], each[0])) * constant(air.sun_at(wavelengths), sine)
+    if air.gases is None:
+        return light
+    gases = air.gases.part(lambda number: number[..., None]) if spots else air.gases
+    columns = tables_of(gases.profiles, air.radius, air.height, REFRACTIVITY).toward(ground, rising)
+    return light * gases.transmittance(columns[..., 0], columns[..., 1], wavelengths)
+
+
 def centre_illuminance(air: Atmosphere, standing: Array) -> Array:
-    """Illuminance of the sun on a plane that faces it, lx, (...,), by the ray of its centre: of many airs.
+    """Illuminance of the sun on a plane that faces it, lx, (...,), by the ray of its centre: in other libraries' airs.
 
     `standing` (..., 3): where suns stand without air. Light of wavelengths `AtmosphereSun.bands`; 0 when they have set.
     """
     tables, bands = ColumnTables.of(air), AtmosphereSun.bands
-    sine = as_seen(tables, standing)[..., 2]
-    ground, rising = namespace(sine).zeros_like(sine), at_least(sine, 0.0)
-    columns = tables.toward(ground, rising)
-    each = [same(part.depth(bands), sine) * columns[..., k, None] for k, part in enumerate(air.constituents)]
-    light = namespace(sine).exp(-sum(each[1:], each[0])) * constant(air.sun_at(bands), sine)
-    if air.gases is not None:
-        columns = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(ground, rising)
-        light = light * air.gases.transmittance(columns[..., 0], columns[..., 1], bands)
+    light = sunlight_left(air, tables, as_seen(tables, standing)[..., 2], bands)
     level = (light @ constant(xyz_weights(bands), light))[..., 1]
     return namespace(level).where(standing[..., 2] > float(np.sin(tables.bent.horizon[0])), level, level * 0)

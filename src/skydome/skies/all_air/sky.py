@@ -129,9 +129,8 @@ class PhysicalSky(StokesSky):
         return as_seen(self.tables, self.toward)
 
     def own_disc(self, angular_radius: Any) -> BentSun | None:
-        """The sun's disc through the same air; None for many airs, and in other libraries than NumPy."""
-        air, sun = self.atmosphere, self.toward
-        return BentSun.through(air, sun, angular_radius) if is_one(air, sun) else None
+        """The sun's disc through the same air; None in other libraries than NumPy."""
+        return BentSun.through(self.atmosphere, self.sun, angular_radius) if is_numpy(self.toward) else None
 
     @property
     def direct_normal_illuminance(self) -> Array | float:

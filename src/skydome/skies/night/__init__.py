@@ -1,10 +1,8 @@
 """The light of the night: moon, stars, the glow of dust and air, and all of it together.
 
-- lunar_light   The moon's light above the air, by the ROLO model of its disc's reflectance
-- moonlight     Moonlight: the physical sky with the moon as its light
-- moon_disc     The moon's disc: limb, phase, tilt and maria, and the earth's light on its dark side
 - magnitudes    Magnitudes, colours and surface brightness of the heavens as light
 - through_air   What the air does to the light of the heavens
+- moon/         The moon: its disc, the sky that it lights, eclipses in the earth's shadow
 - stars         Stars and planets as points of light through the air
 - held_dome     A smooth sky's colours on a fine grid of the dome, for maps
 - celestial     Light from beyond the air that glows all over the sky: what its kinds share
@@ -13,6 +11,7 @@
 - airglow       Airglow: the upper air's own light, lines and a continuum
 - skyglow       Skyglow: the light of towns that the air sends back
 - eclipse       Eclipses of the sun: how much of it the moon covers, and what is left of its light
+- turned        The parts as a scene sees them whose own north is another
 - sky_at        The whole sky of a place and a time, day or night, as a sum of skies
 - through_time  The light on the level through many times, each part by itself
 """

@@ -13,7 +13,18 @@ from skydome.skies.night.magnitudes import luminance_of
 from skydome.skies.night.through_air import of_airglow
 
 LINES = {557.7: 250.0, 589.3: 60.0, 630.0: 80.0}
-"""Rayleighs of oxygen's green, sodium's and oxygen's red line in the zenith, usual ones (Leinert et al. 1998)."""
+"""Rayleighs of oxygen's green, sodium's and oxygen's red line in the zenith, usual ones (Leinert et al. 1998) ..."""
+
+MEAN_FLUX = 140.0
+"""... in the middle of the solar cycle, solar flux units."""
+
+CONTINUUM = {440.0: 1.3, 545.0: 1.0, 600.0: 1.4, 650.0: 1.5, 720.0: 4.7}
+"""What the rest, hydroxyl's bands included, has at wavelengths, nm, over that at 545 nm.
+
+So that a dark zenith has the mean B - V and V - R of La Palma (.8, .9: Benn and Ellison 1998), Paranal (1.0, .7: Patat
+2003) and ESO's sky model (.95, .77: Noll et al. 2012). How it rises between, by the hump at 600 nm and hydroxyl beyond
+650, is our choice.
+"""
 
 RAYLEIGH = 1e10 / (4 * np.pi)
 """Photons m-2 s-1 sr-1."""
@@ -52,13 +63,13 @@ class Airglow(NightGlow):
     @property
     def zenith(self) -> float:
         """Luminance of the zenith, cd m-2."""
-        return float(TENTH_STARS * (145.0 + 130.0 * (self.solar_flux - 80.0) / 120.0))
+        return level_at(self.solar_flux)
 
     def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
-        """Radiance of the zenith, W m-2 sr-1 nm-1, (W,): lines, and what is left of the level as an even continuum."""
-        quiet, weight = TENTH_STARS * 145.0, xyz_weights(self.bands)[:, 1]
-        rest = (quiet - lines(self.bands) @ weight) / weight.sum()
-        return np.asarray((lines(wavelengths) + rest) * (self.zenith / quiet))
+        """Radiance of the zenith, W m-2 sr-1 nm-1, (W,): lines, and what is left of the level as a continuum."""
+        usual, weight = level_at(MEAN_FLUX), xyz_weights(self.bands)[:, 1]
+        rest = (usual - lines(self.bands) @ weight) / (continuum(self.bands) @ weight)
+        return np.asarray((lines(wavelengths) + rest * continuum(wavelengths)) * (self.zenith / usual))
 
     def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """Radiance (..., W)."""
@@ -66,6 +77,16 @@ class Airglow(NightGlow):
         left = self.air.dimmed(views[..., 2], wavelengths, *of_airglow(rise))
         overhead = self.air.dimmed(np.ones(()), wavelengths, *of_airglow(np.ones(())))
         return np.asarray(rise[..., None] * self.spectrum(wavelengths) * left / overhead)
+
+
+def level_at(solar_flux: float) -> float:
+    """Luminance of the zenith at a solar flux, cd m-2 (Benn and Ellison 1998)."""
+    return float(TENTH_STARS * (145.0 + 130.0 * (solar_flux - 80.0) / 120.0))
+
+
+def continuum(wavelengths: np.ndarray) -> np.ndarray:
+    """`CONTINUUM` at wavelengths (W,), the ends held."""
+    return np.asarray(np.interp(wavelengths, list(CONTINUUM), list(CONTINUUM.values())))
 
 
 def van_rhijn(sine: np.ndarray) -> np.ndarray:

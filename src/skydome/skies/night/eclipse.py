@@ -15,8 +15,8 @@ from skydome.moon.position import lunar_radius, moon_direction
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import as_seen
-from skydome.skies.night.lunar_light import BANDS
-from skydome.skies.night.moon_disc import spiral
+from skydome.skies.night.moon.lunar_light import BANDS
+from skydome.skies.night.moon.moon_face import spiral
 from skydome.skies.suns.sun_disc import limb_darkening
 from skydome.sun.place import Place
 from skydome.sun.position import solar_radius, sun_direction

@@ -9,18 +9,20 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arguments import require_kind, require_word
 from skydome.ground.units import deg
-from skydome.moon.phase import moon_phase
+from skydome.moon.phase import MoonPhase, moon_phase
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.colour_sky import SpectralCombination, SpectralSky
 from skydome.skies.night.airglow import Airglow
 from skydome.skies.night.eclipse import Eclipse, EclipsedSun, darkened
-from skydome.skies.night.moon_disc import MoonDisc
-from skydome.skies.night.moonlight import Moonlight
+from skydome.skies.night.moon.lunar_eclipse import LunarEclipse
+from skydome.skies.night.moon.moon_disc import MoonDisc
+from skydome.skies.night.moon.moonlight import Moonlight
 from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.starlight import Starlight
 from skydome.skies.night.stars import Planets, Stars, instant
 from skydome.skies.night.through_air import air_of
+from skydome.skies.night.turned import about_the_vertical, turned
 from skydome.skies.night.zodiacal import ZodiacalLight
 from skydome.stars.catalogue import is_installed
 from skydome.sun.place import Place
@@ -71,6 +73,11 @@ class WholeSky(SpectralCombination):
         kept = [(name, sky) for name, sky in zip(self.names, self.members, strict=True) if name not in names]
         skies = tuple(sky for _, sky in kept)
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
+
+    def turned(self, north: float) -> "WholeSky":
+        """The same for a scene whose own north points `north` radians clockwise of true north."""
+        rotation = about_the_vertical(north)
+        return replace(self, members=tuple(turned(sky, rotation) for sky in self.members))
 
 
 def sky_at(
@@ -131,11 +138,12 @@ class Hour:
     at: Any
     air: Atmosphere
     eclipse: Eclipse
+    phase: MoonPhase
 
     @classmethod
     def of(cls, place: Place, at: Any, air: Atmosphere) -> "Hour":
         """That of a place and an instant."""
-        return cls(place, at, air, Eclipse.over(place, at))
+        return cls(place, at, air, Eclipse.over(place, at), moon_phase(place, at))
 
     @property
     def sun_elevation(self) -> float:
@@ -146,6 +154,13 @@ class Hour:
     def moon_elevation(self) -> float:
         """True elevation of the moon, rad."""
         return float(np.arcsin(self.eclipse.moon[2]))
+
+    @property
+    def why_no_moon(self) -> str:
+        """Why no disc of the moon is seen."""
+        if self.eclipse.touches and self.moon_elevation > START_OF_DISC:
+            return "it is before the sun, its night side toward us"
+        return f"it stands at {self.moon_elevation / deg:.1f} degrees"
 
     def of_sun(self) -> dict[str, SpectralSky]:
         """The sunlit sky and the sun's disc."""
@@ -163,11 +178,10 @@ class Hour:
     def of_moon(self) -> dict[str, SpectralSky]:
         """The moonlit sky and the moon's disc."""
         found: dict[str, SpectralSky] = {}
-        phase = moon_phase(self.place, self.at)
         if self.moon_elevation > END_OF_TWILIGHT and self.sun_elevation < MOONLIGHT_SEEN:
-            found["moonlight"] = Moonlight.under(phase, self.air)
+            found["moonlight"] = Moonlight.under(self.phase, self.air)
         if self.moon_elevation > START_OF_DISC and not self.eclipse.touches:
-            found["moon"] = MoonDisc.under(phase, self.air)
+            found["moon"] = MoonDisc.under(self.phase, self.air)
         return found
 
     def points(self) -> dict[str, SpectralSky]:
@@ -196,11 +210,22 @@ class Hour:
         if "sky" not in parts:
             said.append(f"no light of the sun: {sun}, below -18")
         if "moon" not in parts:
-            said.append(f"no moon: it stands at {self.moon_elevation / deg:.1f} degrees")
+            said.append(f"no moon: {self.why_no_moon}")
         if "airglow" not in parts:
             said.append(f"no airglow, zodiacal light and faint starlight: less than a thousandth of the sky, {sun}")
         if "planets" in parts and "stars" not in parts:
             said.append('no stars: pip install "skydome[night]" brings their catalogue')
         if self.eclipse.touches and "sun" in parts:
             said.append(f"eclipse: the moon covers {float(self.eclipse.obscuration):.1%} of the sun")
+        if "moon" in parts and parts["moon"].shadow is not None:
+            said.append(told_of_shadow(self.at, parts["moon"]))
         return tuple(said)
+
+
+def told_of_shadow(at: Any, moon: MoonDisc) -> str:
+    """A sentence on the moon in the earth's shadow: how deep, and what is left of its light."""
+    eclipse = LunarEclipse.at(at)
+    depth, half = float(eclipse.umbral_magnitude), float(eclipse.penumbral_magnitude)
+    how = f"umbral magnitude {depth:.2f}" if depth > 0 else f"in the half shadow alone, magnitude {half:.2f}"
+    left = float(moon.face.left(np.array([555.0]))[0])
+    return f"eclipse of the moon: {how}; {left:.2g} of its light is left at 555 nm"

@@ -65,7 +65,10 @@ def instant(time: Times) -> Any:
     """One time as datetime64; ValueError for many."""
     found = checked_years(instants(time))
     if found.shape:
-        raise ValueError(f"time must be one time, got times of shape {found.shape}: call once for each")
+        raise ValueError(
+            f"time must be one time, got times of shape {found.shape}: call once for each, or sd.light_at for light "
+            "on the level through all of them"
+        )
     return found[()]
 
 

@@ -70,19 +70,18 @@ class Air:
 
 
 def of_celestial(brightness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shares of the depths of molecules and aerosol for light from beyond the air: Noll et al. 2012, eq. 16 and 17.
+    """Shares of the depths of molecules and aerosol for light from beyond the air: Noll et al. 2012, eq. 19 and 20.
 
     By its brightness (...,) in 1e-8 W m-2 um-1 sr-1. What is brighter than the rest of the sky loses more; what is
     faint gains from it.
     """
     logarithm = np.log10(np.maximum(brightness, LEAST))
-    near = logarithm <= 2.244
-    molecules = np.where(near, 1.407 * logarithm - 2.692, 0.527 * logarithm - 0.715)
-    aerosol = np.where(near, 1.309 * logarithm - 2.598, 0.468 * logarithm - 0.702)
+    molecules = np.where(logarithm <= 2.244, 1.407 * logarithm - 2.692, 0.527 * logarithm - 0.715)
+    aerosol = np.where(logarithm <= 2.255, 1.309 * logarithm - 2.598, 0.468 * logarithm - 0.702)
     return molecules, aerosol
 
 
 def of_airglow(rise: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same for airglow, by its rise (...,) over the zenith's: Noll et al. 2012, eq. 27 and 28."""
+    """The same for airglow, by its rise (...,) over the zenith's: Noll et al. 2012, eq. 24 and 25."""
     logarithm = np.log10(rise)
     return 1.669 * logarithm - 0.146, 1.732 * logarithm - 0.318

@@ -1,10 +1,11 @@
 """The light on the level through many times, each part by itself."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.ground.labels import Parts, keeps_labels
 from skydome.skies.night.celestial import NightGlow
 from skydome.skies.night.sky_at import NAMES, sky_at
 from skydome.skies.suns.point_lights import PointLights
@@ -14,20 +15,23 @@ from skydome.sun.times import Times, instants
 
 
 @dataclass(frozen=True, eq=False)
-class LightThroughTime:
-    """Horizontal illuminance at `times` (T,), lx: of each part by its name, (T,), and of all."""
+class LightThroughTime(Parts):
+    """Horizontal illuminance at `times` (...,), lx: of each part by its name, (...,), and of all."""
 
     times: np.ndarray
     parts: dict[str, np.ndarray]
+    units: ClassVar = {"times": ""}
 
     @property
     def total(self) -> np.ndarray:
-        """Of all parts, (T,)."""
-        return np.asarray(sum(self.parts.values()))
+        """Of all parts, (...,)."""
+        found = list(self.parts.values())
+        return sum(found[1:], found[0]) if found else np.zeros(np.shape(self.times))
 
 
+@keeps_labels("lx", times=0)
 def light_at(place: Place, times: Times, air: Any = None, **choices: Any) -> LightThroughTime:
-    """The `LightThroughTime` of a place: what `sky_at` has at each of times (T,), and its `choices`.
+    """The `LightThroughTime` of a place: what `sky_at` has at each of times (...,), and its `choices`.
 
     >>> import skydome as sd
     >>> evening = np.datetime64("2026-01-18T16:00") + np.arange(3) * np.timedelta64(1, "h")
@@ -40,7 +44,7 @@ def light_at(place: Place, times: Times, air: Any = None, **choices: Any) -> Lig
         whole = sky_at(place, time, air, **choices)
         for name in whole.names:
             found[name][k] = level(whole[name])
-    return LightThroughTime(at, {name: light for name, light in found.items() if light.any()})
+    return LightThroughTime(at, {name: light.reshape(at.shape) for name, light in found.items() if light.any()})
 
 
 def level(sky: Any) -> float:

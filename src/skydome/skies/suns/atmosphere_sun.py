@@ -43,9 +43,15 @@ class AtmosphereSun(SunDisc):
         return light / (limb_mean(wavelengths) * (np.pi * np.sin(MEAN_RADIUS) ** 2))
 
 
-def turbidity_of(atmosphere: Atmosphere) -> float | None:
-    """Scattering at 550 nm by all constituents over that by molecules (Preetham 1999, 2.2); None without molecules."""
+def turbidity_of(atmosphere: Atmosphere) -> Any:
+    """Scattering at 550 nm by all constituents over that by molecules (Preetham 1999, 2.2); None without molecules.
+
+    Of many airs (...,).
+    """
     require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.from_turbidity(3.0)")
-    parts = [(part, float((part.depth([550.0]) * part.scattered([550.0]))[0])) for part in atmosphere.constituents]
-    molecules = sum(depth for part, depth in parts if isinstance(part, Molecules))
-    return sum(depth for _, depth in parts) / molecules if molecules > 0 else None
+    parts = [(part, (part.depth([550.0]) * part.scattered([550.0]))[..., 0]) for part in atmosphere.constituents]
+    molecules = np.asarray(sum(depth for part, depth in parts if isinstance(part, Molecules)))
+    if not (molecules > 0).all():
+        return None
+    turbidity = sum(depth for _, depth in parts) / molecules
+    return turbidity if np.ndim(turbidity) else float(turbidity)

@@ -175,8 +175,7 @@ class SunDisc(SunlitSky, SpectralSky):
     def published_irradiance(self, wavelengths: Any) -> Array:
         """Direct normal irradiance of the published disc of `angular_radius`, W m-2 nm-1, shape (..., W)."""
         radius = floating(self.angular_radius, like=self.sun)
-        xp = namespace(radius)
-        area = np.pi * xp.sin(radius) ** 2  # projected solid angle of the disc
+        area = np.pi * namespace(radius).sin(radius) ** 2  # projected solid angle of the disc
         centre = self.centre_radiance(wavelengths)
         return centre * constant(limb_mean(wavelengths), centre) * (area[..., None] if area.ndim else area)
 
@@ -206,8 +205,9 @@ class SunDisc(SunlitSky, SpectralSky):
 
     def illuminance(self, normal: Array) -> Array:
         """Illuminance on planes with unit normals (..., 3), lx, shape (...,): the whole disc while its centre is up."""
-        xp = namespace(self.sun, normal)
-        cosine = xp.sum(checked_directions(normal, "normal") * floating(self.sun), axis=-1)
+        normal, sun = checked_directions(normal, "normal"), floating(self.sun)
+        broadcast_shape(normals=normal.shape[:-1], sun=sun.shape[:-1])
+        cosine = namespace(sun, normal).sum(normal * sun, axis=-1)
         return self.normal_xyz[..., 1] * at_least(cosine, 0.0)
 
     def mu(self, directions: Array) -> tuple[Array, Array]:

@@ -6,6 +6,7 @@
 - dome_means         Means of many Perez skies over the dome's patches
 - dome_means_kernel  The fast form of `dome_means`, compiled
 - colour_year        Colour and spectrum for a year of measured skies, at Perez's luminance
+- sun_spectra        The sun's spectrum in every hour of a coloured year: clear air's, at the direct light measured
 - twilight           Twilight in a coloured year: hours without irradiance take the light of the clear sky itself
 - cie_of_year        Which of the CIE's fifteen skies each hour of a year is nearest to
 - clouds             Clouds in a coloured year: how much of an hour's light they send, and its colour and spectrum

@@ -13,6 +13,7 @@ from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.model import Model
 from skydome.years.skies.clouds import cloud_share, overcast_light, overcast_xyz
 from skydome.years.skies.perez_year import PerezYear
+from skydome.years.skies.sun_spectra import sun_spectra
 
 if TYPE_CHECKING:
     import xarray
@@ -106,7 +107,7 @@ def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str
 def add_spectrum(
     data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str, air: Weathered, wavelengths: Any
 ) -> None:
-    """Add `radiance` (time, patch, wavelength) and the melanopic EDI and PAR of the diffuse horizontal light.
+    """Add `radiance` (time, patch, wavelength), the sun's spectrum, melanopic EDI and PAR of diffuse horizontal light.
 
     Each direction's clear spectrum and overcast light are scaled so that their luminance (380-780 nm) is Perez's.
     """
@@ -131,7 +132,23 @@ def add_spectrum(
     unit = {"units": "W m-2 sr-1 nm-1", "long_name": text}
     data["radiance"] = (("time", "patch", "wavelength"), radiance, unit)
     data.coords["wavelength"] = ("wavelength", w, {"units": "nm"})
+    add_sun(data, sky, air, w)
     add_effects(data, horizontal)
+
+
+def add_sun(data: "xarray.Dataset", sky: PerezYear, air: Weathered, w: np.ndarray) -> None:
+    """Add `direct_normal_spectral_irradiance` (time, wavelength), whose luminance is the direct illuminance."""
+    spectra = np.zeros((data.sizes["time"], w.size), np.float32)
+    spectra[np.isnan(data["direct_normal_illuminance"].values)] = np.nan
+    level = data["direct_normal_illuminance"].values[sky.lit]
+    shining = np.flatnonzero(level > 0)
+    rows = sky.lit[shining]
+    altitude = data.attrs["altitude"]
+    clear: Any = clear_sky("physical", sky.suns[rows], air.haze[shining], altitude)
+    spectra[rows] = sun_spectra(clear.atmosphere, sky.suns[rows], altitude, level[shining], w)
+    text = "spectral irradiance of the sun on a plane facing it, spectrum of clear air, at the direct illuminance"
+    unit = {"units": "W m-2 nm-1", "long_name": text}
+    data["direct_normal_spectral_irradiance"] = (("time", "wavelength"), spectra, unit)
 
 
 def visible_radiance(clear: SpectralSky, cut: Patches) -> np.ndarray:

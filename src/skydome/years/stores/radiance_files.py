@@ -10,6 +10,7 @@ from skydome.ground.directions import direction
 from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.ground.writing import appearing
 from skydome.light.colour import RADIANCE, rgb_from_xyz
+from skydome.light.radiance_bands import band_weights, scaled
 from skydome.skies.formula.perez_formula import A, B, C, D, E, F, R
 from skydome.skies.perez_all_weather import PerezAllWeather
 from skydome.years.gendaymtx import text as matrix_text
@@ -69,18 +70,32 @@ def matrix_rows(data: "xarray.Dataset", reflectance: float, with_sun: bool) -> A
 
 
 def write_suns(data: "xarray.Dataset", path: str | PathLike[str]) -> int:
-    """Write one light source for each hour with sun (as `gendaymtx -D` does); how many there are."""
+    """Write one light source for each hour with sun (as `gendaymtx -D` does); how many there are.
+
+    Grey; of a year with spectra at even wavelengths each has its own spectrum, as `genssky` writes it.
+    """
     sun = data["direct_normal_illuminance"].values
     hours = np.flatnonzero((sun > 0) & (data["sun_elevation"].values > 0))
     toward = sun_directions(data)[hours]
+    spectra = spectra_text(data, hours) if "direct_normal_spectral_irradiance" in data else [""] * len(hours)
     lines = []
-    for k, (hour, (x, y, z)) in enumerate(zip(hours, toward, strict=True), start=1):
+    for k, (hour, (x, y, z), spectrum) in enumerate(zip(hours, toward, spectra, strict=True), start=1):
         light = f"{sun[hour] / (RADIANCE_EFFICACY * SUN_SIZE):.3e}"
-        lines.append(f"void light solar{k}\n0\n0\n3 {light} {light} {light}\n")
+        lines.append(f"void spectrum sunlight{k}\n0\n0\n{spectrum}\nsunlight{k}" if spectrum else "void")
+        lines.append(f" light solar{k}\n0\n0\n3 {light} {light} {light}\n")
         lines.append(f"solar{k} source sun{k}\n0\n0\n4 {x:.6f} {y:.6f} {z:.6f} {SUN_DIAMETER / deg:.4f}\n\n")
     with appearing(path) as beside:
         beside.write_text("".join(lines), encoding="ascii")
     return len(hours)
+
+
+def spectra_text(data: "xarray.Dataset", hours: np.ndarray) -> list[str]:
+    """Numbers of Radiance's `spectrum` for the sun of each of the hours: of luminance 1, from short waves to long."""
+    waves = data["wavelength"].values
+    light = data["direct_normal_spectral_irradiance"].values[hours].astype(np.float64)
+    ones = scaled(light, np.full(len(hours), RADIANCE_EFFICACY), band_weights(waves))[:, ::-1]
+    head = f"{len(waves) + 2} {waves[0]:g} {waves[-1]:g} "
+    return [head + " ".join(f"{value:.4f}" for value in row) for row in ones]
 
 
 def sun_directions(data: "xarray.Dataset") -> np.ndarray:

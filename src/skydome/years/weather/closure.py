@@ -35,6 +35,9 @@ APART, LEAST_DAYS, CLEAREST = 20.0, 60, 4
 OFF_NOON, MOST_AT_NIGHT = 40.0, 0.25
 """Minutes of noon that are told of where closure tells nothing; share of the light at night, at most."""
 
+NEAR_AN_HOUR = 10.0
+"""Minutes: how far a shift may be from whole hours and still be one of the zone."""
+
 
 @dataclass(frozen=True)
 class Closure:
@@ -64,7 +67,7 @@ class Closure:
             return words + f"; but noon stands right within {abs(self.noon):.0f} min: one column is of another sun"
         if not self.shift:
             return words + f"; but noon would stand right with stamps {later_or_earlier(self.noon)}"
-        return words + (f": is the time zone {abs(self.shift) / 60:.0f} h off?" if abs(self.shift) % 60 == 0 else "")
+        return words + asks_of_zone(self.shift)
 
 
 def later_or_earlier(minutes: float) -> str:
@@ -74,6 +77,16 @@ def later_or_earlier(minutes: float) -> str:
     ('30 min later', '60 min earlier')
     """
     return f"{abs(minutes):.0f} min {'later' if minutes > 0 else 'earlier'}"
+
+
+def asks_of_zone(minutes: float) -> str:
+    """The question that a shift of about whole hours puts: a zone is wrong by these. Nothing for other shifts.
+
+    >>> asks_of_zone(57), asks_of_zone(-121), asks_of_zone(30)
+    (': is the time zone 1 h off?', ': is the time zone 2 h off?', '')
+    """
+    hours = round(abs(minutes) / 60)
+    return f": is the time zone {hours} h off?" if hours and abs(abs(minutes) - 60 * hours) <= NEAR_AN_HOUR else ""
 
 
 def closure_of(weather: Weather, track: SunTrack | None = None) -> Closure | None:
@@ -204,9 +217,8 @@ def warn_of_noon(weather: Weather, track: SunTrack) -> None:
         return
     noon = noon_shift(weather, light, track)
     if abs(noon) >= OFF_NOON:
-        zone = f": is the time zone {abs(noon) / 60:.0f} h off?" if abs(noon) > 45 else ""
         warnings.warn(
             f"clear days have their noon where the sun says only with stamps about {later_or_earlier(noon)}"
-            f"{weather.where}{zone}",
+            f"{weather.where}{asks_of_zone(noon)}",
             stacklevel=4,
         )

@@ -6,9 +6,11 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
+from skydome.light.spectrum import Spectrum
 from skydome.moon.phase import MoonPhase, moon_phase
 from skydome.skies.all_air.sky import PhysicalSky
-from skydome.skies.night.lunar_light import LunarLight
+from skydome.skies.night.moon.lunar_light import BANDS, LunarLight
+from skydome.skies.night.moon.moon_face import MoonFace
 from skydome.skies.night.stars import instant
 from skydome.skies.night.through_air import air_of
 from skydome.sun.place import Place
@@ -52,5 +54,7 @@ class Moonlight(PhysicalSky):
 
 
 def moonlit(phase: MoonPhase, air: Atmosphere | None) -> Atmosphere:
-    """An air under the moonlight of one moon."""
-    return replace(air_of(air), sunlight=LunarLight.of(phase).spectrum, sun_scale=1.0)
+    """An air under the moonlight of one moon, less what the earth's shadow takes of it."""
+    light = LunarLight.of(phase)
+    left = light.lit * MoonFace.of(phase).left(BANDS) + light.earthshine
+    return replace(air_of(air), sunlight=Spectrum(BANDS, left), sun_scale=1.0)

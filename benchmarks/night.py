@@ -1,0 +1,67 @@
+"""Light through dusk against published tables, and what the night costs: python benchmarks/night.py light | speed."""
+
+import sys
+import time
+
+import numpy as np
+
+import skydome as sd
+
+PLACE, NEW_MOON = sd.Place(50.0, 8.0), np.datetime64("2026-04-16T17:00")
+
+SEIDELMANN = (
+    (5.0, -0.8, (2.88, 22.26, -207.64, 1034.30)),
+    (-0.8, -5.0, (2.88, 21.81, -258.11, -858.36)),
+    (-5.0, -12.0, (2.70, 12.17, -431.69, -1899.83)),
+    (-12.0, -18.0, (13.84, 262.72, 1447.42, 2797.93)),
+)
+"""Elevations between which log10 of lx is a polynomial of the elevation over 90 degrees (Seidelmann 1992)."""
+
+
+def seidelmann(elevation: float) -> float:
+    """Illuminance by the table, lx."""
+    for upper, lower, powers in SEIDELMANN:
+        if lower <= elevation <= upper:
+            return float(10 ** np.polynomial.polynomial.polyval(elevation / 90, powers))
+    return float("nan")
+
+
+def light() -> None:
+    """The light on the level by the sun's elevation in two airs, over the table's; the largest fall within a minute."""
+    minutes = NEW_MOON + np.arange(0, 260) * np.timedelta64(1, "m")
+    heights = np.degrees(np.arcsin(sd.sun_direction(PLACE, minutes)[:, 2]))
+    dusk = {depth: sd.light_at(PLACE, minutes, sd.clear_air(depth)) for depth in (0.1, 0.3)}
+    for elevation in (0.0, -1.0, -2.5, -4.0, -6.0, -8.0, -10.0, -12.0, -15.0, -18.0):
+        wanted = seidelmann(elevation)
+        row = [np.exp(np.interp(-elevation, -heights, np.log(found.total))) for found in dusk.values()]
+        print(f"{elevation:6.1f} table {wanted:.4g} lx;", ", ".join(f"{lx:.4g} ({lx / wanted:.2f})" for lx in row))
+    steps = np.diff(np.log(dusk[0.1].total))
+    print(f"largest fall within a minute {1 - np.exp(steps.min()):.3f} at {heights[steps.argmin()]:.1f} degrees")
+    print("at the end:", {name: f"{part[-1]:.2g}" for name, part in dusk[0.1].parts.items()})
+    for name in ("airglow", "zodiacal light", "starlight"):
+        whole = sd.sky_at(PLACE, minutes[-1], only=name)
+        print(f"{name}: zenith {float(sd.surface_magnitude(whole.luminance(sd.ZENITH))):.2f} mag arcsec-2")
+
+
+def speed() -> None:
+    """CPU seconds; the first call of a new process is `python benchmarks/night.py first`."""
+    quarters = np.datetime64("2026-01-18T12:00") + np.arange(96) * np.timedelta64(15, "m")
+    start = time.process_time()
+    sd.light_at(PLACE, quarters)
+    print(f"light_at, 96 quarter hours: {time.process_time() - start:.1f} CPU seconds")
+    start = time.process_time()
+    for hour in quarters[::4]:
+        sd.render(sd.sky_at(PLACE, hour), 512)
+    print(f"24 frames of 1024 x 512: {(time.process_time() - start) / 24:.2f} CPU seconds each")
+
+
+def first() -> None:
+    """`sky_at` under a full moon and its map 2048 x 1024, from the import on (the process so far)."""
+    sky = sd.sky_at(PLACE, "2026-01-03T22:00Z")
+    between = time.process_time()
+    sd.render(sky, 1024)
+    print(f"sky {between:.2f}, map {time.process_time() - between:.2f}, whole {time.process_time():.2f} CPU seconds")
+
+
+if __name__ == "__main__":
+    {"light": light, "speed": speed, "first": first}[sys.argv[1]]()
