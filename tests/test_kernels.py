@@ -26,6 +26,31 @@ class Pair(NamedTuple):
 
 
 KERNEL_PAIRS = (
+    Pair(
+        "skies.clouds.fields.noise:gradient_by_numpy",
+        "skies.clouds.fields.noise_kernel:gradient_noise",
+        "skies/clouds/fields/test_cloud_fields.py::test_noise_is_the_same_compiled_and_repeats",
+    ),
+    Pair(
+        "skies.clouds.fields.field:CloudField",
+        "skies.clouds.fields.medium_kernel:extinctions",
+        "skies/clouds/fields/test_cloud_fields.py::test_extinction_is_the_same_compiled",
+    ),
+    Pair(
+        "skies.clouds.fields.lit_field:LitField",
+        "skies.clouds.fields.diffusion_kernel:relaxed",
+        "skies/clouds/fields/test_cloud_fields.py::test_diffusion_through_a_slab",
+    ),
+    Pair(
+        "skies.clouds.fields.lit_field:LitField",
+        "skies.clouds.fields.march_kernel:marched",
+        "skies/clouds/fields/test_cloud_fields.py::test_thin_slab_scatters_once",
+    ),
+    Pair(
+        "skies.clouds.fields.reference:CloudTracing",
+        "skies.clouds.fields.tracing_kernel:traced",
+        "skies/clouds/fields/test_cloud_fields.py::test_paths_through_a_slab_meet_discrete_ordinates",
+    ),
     Pair("numpy:exp", "ground.elementary_kernel:exponential", "test_kernels.py::test_elementary_functions"),
     Pair(
         "skies.formula.perez_formula:evaluate",

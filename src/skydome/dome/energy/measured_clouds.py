@@ -1,47 +1,37 @@
 """Clouds that carry measured light: a field whose sky has the direct and diffuse irradiance that were measured."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.dome.energy.weighted import weights_of
+from skydome.dome.energy.measured_air import NEAR, Clear, airs_for
 from skydome.ground.arguments import require_kind
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, require, require_one
-from skydome.ground.quadrature import hemisphere
-from skydome.ground.tables import columns
 from skydome.ground.units import SOLAR_CONSTANT
-from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.clouds.fields.field import CloudField
-from skydome.skies.clouds.fields.incident import Channels, Incident
 from skydome.skies.clouds.fields.kinds import Cumulus
-from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.suns.sun_disc import SunDisc
 
-HAZES = np.array([0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.22, 0.3, 0.4, 0.6, 0.9])
-"""Optical depths of aerosol at 550 nm that are looked among."""
-USUAL_HAZE = 4
 OPEN_SUN = 0.85
-"""Share of the clear sun from which on no cloud is taken to stand before it."""
-RINGS, AROUND = 48, 96
-"""Nodes of the dome."""
+"""Share of the clear sun from which on few clouds are likely."""
 KNOTS = (
     (0.04, 0.4), (0.12, 0.7), (0.25, 1.0), (0.45, 1.0), (0.65, 1.0), (0.85, 1.0), (1.0, 1.3), (1.0, 3.0), (1.0, 8.0),
     (1.0, 20.0),
 )  # fmt: skip
 """Covers, and extinctions over the kind's usual one, that are gone along: from a few thin clouds to a dark cover."""
-NEAR = 0.1
-"""Greatest part by which the level may be moved in the end; what needs more is refused."""
 SEEN = 1e-3
 """Share of the sun's light below which its disc is not seen."""
+FAINT = 0.05
+"""Share of the sun's light below which its disc may stand before cloud that is thicker than that."""
+CLOSE = 0.04
+"""Part by which the coarse and the fine grid's irradiances may differ."""
 PLACES = 32
 """Places along the field's period that are looked at for the sun."""
 LOWEST = 2.0
@@ -73,49 +63,6 @@ class MeasuredClouds:
         return self.cloudy.field
 
 
-@dataclass(frozen=True, eq=False)
-class Clear:
-    """A clear sky under a sun, and its energy."""
-
-    sky: PhysicalSky
-
-    @cached_property
-    def channels(self) -> Channels:
-        """The whole spectrum's energy."""
-        known = columns("spectrl2_gases")["wavelength_nm"]
-        known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)]
-        return Channels(known, weights_of(self.sky.atmosphere, known, np.ones_like)[:, None])
-
-    @cached_property
-    def beam(self) -> float:
-        """Direct normal irradiance, W m-2, to 3,900 nm."""
-        known = columns("spectrl2_gases")["wavelength_nm"]
-        known = known[known <= 3900.0]
-        return float(SunDisc.of(self.sky).irradiance(known) @ weights_of(self.sky.atmosphere, known, np.ones_like))
-
-    @cached_property
-    def nodes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Directions of the dome and their shares of the horizontal's light."""
-        views, solid_angles = hemisphere(RINGS, AROUND)
-        return views, solid_angles * views[:, 2]
-
-    @cached_property
-    def light(self) -> np.ndarray:
-        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
-        return np.asarray(self.sky.radiance(self.nodes[0], self.channels.wavelengths) @ self.channels.weights)
-
-    @property
-    def alone(self) -> float:
-        """Diffuse horizontal irradiance without cloud, W m-2."""
-        return float(self.nodes[1] @ self.light[:, 0])
-
-    def diffuse(self, field: CloudField, coarseness: int = 4) -> float:
-        """Diffuse horizontal irradiance with a field before it, W m-2."""
-        views, weights = self.nodes
-        lit = LitField.of(field, self.sky.seen_sun, coarseness)
-        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
-
-
 def clouds_for(
     dni: float,
     dhi: float,
@@ -142,17 +89,17 @@ def clouds_for(
     refused: list[ValueError] = []
     for clear, share in airs_for(dni, dhi, sun, clear_air() if air is None else air):
         try:
-            return carried(dni, dhi, clear, field_for(dhi, share, clear, start))
+            return carried(dni, dhi, clear, finely(dhi, share, clear, start))
         except ValueError as error:
             refused.append(error)
     raise refused[0]
 
 
-def carried(dni: float, dhi: float, clear: "Clear", field: CloudField) -> MeasuredClouds:
+def carried(dni: float, dhi: float, clear: Clear, field: CloudField) -> MeasuredClouds:
     """The sky of a field, its level and its disc's set to the light; ValueError where that moves them too far."""
     cloudy, disc = CloudySky(clear.sky, field), SunDisc.of(clear.sky)
     diffuse = dhi / (clear.diffuse(field, 2) if field.cover else clear.alone)
-    direct = dni / (clear.beam * cloudy.sun_share) if cloudy.sun_share > SEEN else 1.0
+    direct = dni / (clear.beam * cloudy.sun_share) if cloudy.sun_share > FAINT / 2 else 1.0
     for name, value, factor in (("dhi", dhi, diffuse), ("dni", dni, direct)):
         if not 1 / (1 + NEAR) <= factor <= 1 + NEAR:
             raise ValueError(f"{name} must be near {value / factor:.0f} W m-2 with these clouds, got {value:g}")
@@ -175,40 +122,18 @@ def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> n
     return sun
 
 
-def airs_for(dni: float, dhi: float, sun: np.ndarray, air: Atmosphere) -> Iterator[tuple["Clear", float]]:
-    """Clear skies whose sun is at least as strong, and the share of it that the clouds are to leave, likely ones first.
-
-    The usual air with cloud before the sun, where there is much less of it than that air lets through; air so hazy that
-    nothing need stand before the sun; and air so clear that its own diffuse light is not too much.
-    """
-    skies = [hazy(air, depth, sun) for depth in HAZES]
-    beams = np.array([clear.beam for clear in skies])
-    if dni > beams[0] * (1 + NEAR):
-        raise ValueError(f"dni must be at most {beams[0]:.0f} W m-2 through the clearest air here, got {dni:g}")
-    usual = skies[USUAL_HAZE]
-    if dni < OPEN_SUN * usual.beam:
-        yield usual, dni / usual.beam
-    if dni > beams[-1]:
-        yield hazy(air, float(np.interp(-dni, -beams, HAZES)), sun), 1.0
-    for clear in reversed(skies[:USUAL_HAZE]):
-        if dni < clear.beam and clear.alone < dhi:
-            yield clear, dni / clear.beam
-            return
-
-
-def hazy(air: Atmosphere, depth: float, sun: np.ndarray) -> Clear:
-    """The sky of an air with an aerosol of so much depth."""
-    from skydome.air.constituents import Aerosol
-
-    low = next(n for n, part in enumerate(air.constituents) if isinstance(part, Aerosol))
-    parts = list(air.constituents)
-    parts[low] = replace(parts[low], optical_depth=depth)  # type: ignore[call-arg]
-    return Clear(PhysicalSky(sun, replace(air, constituents=tuple(parts)), check="clamp"))
+def finely(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
+    """As `field_for`, looked for once more where the finer grid tells another irradiance."""
+    found = field_for(dhi, share, clear, start)
+    fine = clear.diffuse(found, 2) if found.cover else dhi
+    if abs(fine / dhi - 1) < CLOSE:
+        return found
+    return field_for(dhi * clear.diffuse(found) / fine, share, clear, start)
 
 
 def field_for(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
     """The field that leaves a share of the sun and has the diffuse irradiance, or comes nearest."""
-    if share >= 1 and dhi < clear.alone * (1 + NEAR):
+    if share > 1:
         return replace(start, cover=0.0)
     search = Search(dhi, share, clear, start)
     first = 1 if share > OPEN_SUN else 3 if share > 0.05 else 6
@@ -292,7 +217,7 @@ def placed_before(field: CloudField, share: float, sun: np.ndarray) -> CloudFiel
     over = left[:-1] >= share
     crossing = np.flatnonzero(over != (left[1:] >= share))
     if len(crossing) == 0:
-        return None
+        return moved(field, places[0]) if left.max() < share < FAINT else None
     first, last = places[crossing[0]], places[crossing[0] + 1]
     for _ in range(24):
         middle = (first + last) / 2

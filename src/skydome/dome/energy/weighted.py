@@ -22,8 +22,6 @@ from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.suns.sun_disc import SunDisc
 from skydome.skies.validity import Check
 
-RINGS, COLUMNS = 16, 32
-
 
 def knows_energy(sky: Sky) -> bool:
     """True for skies of which `broadband` and its like can be asked."""
@@ -83,7 +81,7 @@ def diffuse_of(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
 
 def level_irradiance(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
     """The same at wavelengths that the networks know: views are an axis after that of 1, else the first."""
-    directions, solid_angles = hemisphere(RINGS, COLUMNS)
+    directions, solid_angles = hemisphere(*sky.nodes_of_energy)
     nodes, each = (constant(part, sky.toward) for part in (directions, solid_angles * directions[:, 2]))
     shape = np.shape(sky.valid)
     if shape[-1:] in ((), (1,)):

@@ -68,6 +68,7 @@ class PhysicalSky(StokesSky):
     knows_energy: ClassVar[bool] = True
     of_all_hours: ClassVar[bool] = True
     numbers_of_air: ClassVar = NUMBERS
+    nodes_of_energy: ClassVar = (16, 32)  # rings and columns of the dome that its energy is summed over
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"
 
     def __post_init__(self) -> None:

@@ -15,6 +15,8 @@ DETAIL = 64
 """Places along each side of the block of fine detail, which repeats."""
 MET = 0.08
 """Cloud counts as met where, somewhere in a column, it has come so far up its edge."""
+CLOSED = 0.3
+"""How far under the thinnest place the threshold of a whole cover lies: no holes."""
 SPEED = Range(-200.0, 200.0, "m s-1")
 
 
@@ -100,7 +102,7 @@ class CloudField(Bounded):
             return float(highest[-1]) + 1.0
         share = (1 - self.cover) * (len(highest) - 1)
         found = float(np.interp(share, np.arange(len(highest)), highest))
-        return found - self.kind.edge * (MET if self.cover < 1 else 1.0)
+        return found - (self.kind.edge * MET if self.cover < 1 else max(self.kind.edge, CLOSED))
 
     @cached_property
     def medium(self) -> Medium:
@@ -120,7 +122,7 @@ class CloudField(Bounded):
         0.0
         """
         m, points = self.medium, np.asarray(points, np.float64)
-        x, y, z = (points + [m.east, m.north, -m.base]).reshape(-1, 3).T
+        x, y, z = (points + np.array([m.east, m.north, -m.base])).reshape(-1, 3).T
         height = z / m.thickness
         place = height * len(m.profile) - 0.5
         shape = interpolated(m.shape, x / m.spacing, y / m.spacing, place, wraps=False)
@@ -165,7 +167,7 @@ def detail(seed: int) -> np.ndarray:
     place = np.arange(DETAIL) / DETAIL
     points = np.stack(np.meshgrid(place, place, place, indexing="ij"), axis=-1)[..., [1, 0, 2]]
     each = ((0.5, 4), (0.3, 9), (0.2, 19))
-    return np.float32(sum(w * cells(points * n, (n, n, n), seed + 101 + n) for w, n in each))
+    return np.asarray(sum(w * cells(points * n, (n, n, n), seed + 101 + n) for w, n in each), np.float32)
 
 
 @lru_cache(maxsize=6)

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw
+from skydome.ground.arrays import Array
 from skydome.skies.clouds.fields.noise import ENDLESS, cells, gradient
 
 WATER = HenyeyGreenstein((0.89, -0.3), (0.97, 0.03))
@@ -37,16 +38,16 @@ class CloudKind(ABC):
     edge: ClassVar[float] = 0.05
 
     @abstractmethod
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """The shape at points (..., 3), m, whose share of the thickness is `height` (...,), shape (...,)."""
 
-    def profile(self, height: np.ndarray) -> np.ndarray:
+    def profile(self, height: np.ndarray) -> Array:
         """Extinction over the greatest at shares of the thickness (...,)."""
         return ramp(height / 0.06) * ramp((1 - height) / 0.06)
 
     def octaves(
         self, noise: Callable[..., Any], points: np.ndarray, wavelength: float, count: int, seed: int, **more: Any
-    ) -> np.ndarray:
+    ) -> Array:
         """`count` octaves of a noise from a wavelength, m, downward, each half as strong, their weights 1 in all."""
         stretch = np.asarray(more.get("stretch", (1.0, 1.0, 1.0)))
         total, weight = np.zeros(points.shape[:-1]), 1.0
@@ -59,23 +60,23 @@ class CloudKind(ABC):
         return np.asarray(total / (2 - 2 * weight))
 
 
-def plain(noise: np.ndarray) -> np.ndarray:
+def plain(noise: np.ndarray) -> Array:
     """As it is."""
     return noise
 
 
-def billows(noise: np.ndarray) -> np.ndarray:
+def billows(noise: np.ndarray) -> Array:
     """Round bumps with sharp valleys between, of gradient noise."""
     return np.abs(noise) * 2
 
 
-def ramp(x: np.ndarray) -> np.ndarray:
+def ramp(x: np.ndarray) -> Array:
     """From 0 at 0 to 1 at 1, smooth."""
     held = np.clip(x, 0.0, 1.0)
     return np.asarray(held * held * (3 - 2 * held))
 
 
-def level(points: np.ndarray) -> np.ndarray:
+def level(points: np.ndarray) -> Array:
     """The points' columns at height 0, for all levels at once."""
     return points[..., :1, :] * np.array([1.0, 1.0, 0.0])
 
@@ -91,16 +92,18 @@ class Cumulus(CloudKind):
     erosion: ClassVar[float] = 0.2
     edge: ClassVar[float] = 0.04
 
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Domes over the middles of cells, with bumps on them that grow upward."""
         floor = level(points)
         drift = np.stack([self.octaves(gradient, floor, 1500.0, 2, seed + 7 + n) for n in (0, 1)], axis=-1)
         floor = floor + 700.0 * np.concatenate([drift, np.zeros((*drift.shape[:-1], 1))], axis=-1)
-        plan = 0.9 - self.octaves(cells, floor, 2300.0, 2, seed) + 0.5 * self.octaves(gradient, floor, 5000.0, 2, seed + 1)
+        plan = (
+            0.9 - self.octaves(cells, floor, 2300.0, 2, seed) + 0.5 * self.octaves(gradient, floor, 5000.0, 2, seed + 1)
+        )
         bumps = self.octaves(gradient, points, 800.0, 3, seed + 2, form=billows)
         return plan - 0.45 * height**2 + (0.25 + 0.35 * np.minimum(2 * height, 1)) * (bumps - 0.4)
 
-    def profile(self, height: np.ndarray) -> np.ndarray:
+    def profile(self, height: np.ndarray) -> Array:
         """Flat below; more water the higher."""
         return ramp(height / 0.04) * ramp((1 - height) / 0.06) * (0.5 + 0.5 * height ** (2 / 3))
 
@@ -117,12 +120,19 @@ class Stratocumulus(CloudKind):
     erosion: ClassVar[float] = 0.25
     edge: ClassVar[float] = 0.25
 
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Cells of a sheet, thickest above their middles."""
         floor = level(points)
-        plan = 1.0 - self.octaves(cells, floor, 1500.0, 2, seed) + 0.5 * self.octaves(gradient, floor, 4000.0, 2, seed + 1)
+        plan = (
+            1.0 - self.octaves(cells, floor, 1500.0, 2, seed) + 0.5 * self.octaves(gradient, floor, 4000.0, 2, seed + 1)
+        )
         bumps = self.octaves(gradient, points, 400.0, 3, seed + 2, form=billows)
-        return plan - 0.8 * np.maximum(height - 0.3, 0) ** 2 * 2 - 2.0 * np.maximum(0.3 - height, 0) ** 2 + 0.3 * (bumps - 0.4)
+        return (
+            plan
+            - 0.8 * np.maximum(height - 0.3, 0) ** 2 * 2
+            - 2.0 * np.maximum(0.3 - height, 0) ** 2
+            + 0.3 * (bumps - 0.4)
+        )
 
 
 @dataclass(frozen=True)
@@ -139,7 +149,7 @@ class Altocumulus(CloudKind):
     detail: ClassVar[float] = 15.0
     edge: ClassVar[float] = 0.3
 
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Small cells longer across the rolls' way than along, in patches."""
         floor = level(points)
         drift = np.stack([self.octaves(gradient, floor, 2500.0, 2, seed + 7 + n) for n in (0, 1)], axis=-1)
@@ -163,7 +173,7 @@ class Cirrus(CloudKind):
     detail: ClassVar[float] = 60.0
     edge: ClassVar[float] = 0.8
 
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Noise drawn out into fibres that bend, in patches."""
         floor = level(points)
         drift = self.octaves(gradient, floor, 12_000.0, 2, seed + 7)
@@ -184,10 +194,10 @@ class Slab(CloudKind):
     count: ClassVar[int] = 16
     levels: ClassVar[int] = 32
 
-    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> np.ndarray:
+    def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """One number."""
         return np.ones(height.shape)
 
-    def profile(self, height: np.ndarray) -> np.ndarray:
+    def profile(self, height: np.ndarray) -> Array:
         """Full from bottom to top."""
         return np.ones(height.shape)

@@ -100,7 +100,7 @@ class LitField:
 
     def diffusivity(self, open_air: float) -> np.ndarray:
         """1 / (3 transport extinction), m, that of empty air in the gaps."""
-        return np.float32(1 / (3 * np.maximum((1 - self.asymmetry) * self.coarse, open_air)))
+        return np.asarray(1 / (3 * np.maximum((1 - self.asymmetry) * self.coarse, open_air)), np.float32)
 
     @cached_property
     def of_sky(self) -> np.ndarray:
@@ -144,9 +144,14 @@ class LitField:
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
         below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
-        diffuse = (float(part[..., 0].mean()) / 2 for part in (self.of_sun, self.of_sky, self.of_ground))
-        of_sun, of_sky, back = diffuse
-        return float(np.exp(-below).mean()), of_sun, of_sky, back - 1
+        of_sun = self.leaving(self.of_sun, OPEN_TO_SUN, 0.0)
+        of_sky, back = (self.leaving(part, OPEN_TO_SKY, j) for part, j in ((self.of_sky, 0.0), (self.of_ground, 1.0)))
+        return float(np.exp(-below).mean()), of_sun, of_sky, 1 + back
+
+    def leaving(self, fluence: np.ndarray, open_air: float, entering: float) -> float:
+        """Mean net flux out of the field's bottom, where a flux `entering` comes in."""
+        inner = 1 + self.steps[1] / (4 * self.diffusivity(open_air)[..., 0])
+        return float(((fluence[..., 0] / 2 - 2 * entering) / inner).mean())
 
     @cached_property
     def light(self) -> np.ndarray:
@@ -166,7 +171,9 @@ class LitField:
         views = np.ascontiguousarray(directions, np.float64)
         out = np.empty((len(views), 5))
         kind = self.field.kind
-        numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)])
+        numbers = np.array(
+            [self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)]
+        )
         given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, self.phase, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
         return out

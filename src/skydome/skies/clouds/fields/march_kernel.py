@@ -9,8 +9,6 @@ scattering angle, and the transport extinction of empty air.
 
 import math
 
-import numpy as np
-
 from skydome.ground.compiled import inlined, job
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.clouds.fields.medium_kernel import extinction
@@ -120,7 +118,7 @@ def marched(first, last, m, directions, light, clear, period, sun, phase, number
             x, y, z = middle * a + m.east, middle * b + m.north, height_over(middle, up) - m.base
             sigma = extinction(m, x, y, z) * kept
             if sigma <= 0.0:
-                column = clear[int(math.floor(y / dx)) % clear.shape[0], int(math.floor(x / dx)) % clear.shape[1]]
+                column = clear[math.floor(y / dx) % clear.shape[0], math.floor(x / dx) % clear.shape[1]]
                 s += max(step if was_cloud else 1.5 * step, (column - 1.0) * dx / level)
                 was_cloud = False
                 continue

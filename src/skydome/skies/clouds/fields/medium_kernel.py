@@ -80,7 +80,7 @@ def extinctions(first, last, m, points, out):
 @compiled
 def cell_means(first, last, m, period, out):
     """Mean extinction of the cells of a coarse grid, of four places in each."""
-    rows, columns, levels = out.shape
+    _, columns, levels = out.shape
     step, high = period / columns, m.thickness / levels
     for j in range(first, last):
         for i in range(columns):

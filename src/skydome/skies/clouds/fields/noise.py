@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arrays import Array
 from skydome.ground.compiled import has_numba, shared
 
 GOLDEN = 0x9E3779B97F4A7C15
@@ -23,7 +24,7 @@ FEW = 1 << 12
 POINTS_PER_PIECE = 1 << 12
 
 
-def stirred(x: np.ndarray) -> np.ndarray:
+def stirred(x: Array) -> Array:
     """64 bits, uint64, stirred (Steele et al. 2014, splitmix64)."""
     x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
@@ -40,7 +41,7 @@ def lattice(i: np.ndarray, j: np.ndarray, k: np.ndarray, period: Period, seed: i
     return tuple(((key >> np.uint64(21 * n)) & MASK).astype(np.float64) * scale for n in range(3))
 
 
-def gradient_by_numpy(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
+def gradient_by_numpy(points: np.ndarray, period: Period, seed: int) -> Array:
     """Gradient noise (Perlin 1985, 2002) at points (N, 3) in cells of the lattice, about -1 to 1, (N,)."""
     corner = np.floor(points)
     x = points - corner
@@ -60,7 +61,7 @@ GRADIENT_SCALE = 1.2
 """Brings slopes of components in (-1, 1) to noise of about -1 to 1."""
 
 
-def cells_by_numpy(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
+def cells_by_numpy(points: np.ndarray, period: Period, seed: int) -> Array:
     """Distance to the nearest of points strewn one in each cell of the lattice (Worley 1996), in cells, (N,)."""
     corner = np.floor(points)
     x = points - corner
@@ -76,7 +77,7 @@ def cells_by_numpy(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
     return np.sqrt(least)
 
 
-def gradient(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
+def gradient(points: np.ndarray, period: Period, seed: int) -> Array:
     """Gradient noise at points (..., 3) in cells of a lattice of `period` cells, about -1 to 1, shape (...,).
 
     >>> float(abs(gradient(np.array([[3.0, 1.0, 2.0]]), (8, 8, 8), 0)[0]))
@@ -85,7 +86,7 @@ def gradient(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
     return chosen(gradient_by_numpy, "gradient_noise", points, period, seed)
 
 
-def cells(points: np.ndarray, period: Period, seed: int) -> np.ndarray:
+def cells(points: np.ndarray, period: Period, seed: int) -> Array:
     """Distance to the nearest of points strewn one a cell, in cells, at points (..., 3), shape (...,)."""
     return chosen(cells_by_numpy, "cellular_noise", points, period, seed)
 

@@ -85,7 +85,7 @@ class CloudTracing:
 
     def fingerprint(self) -> str:
         """A hash of everything that the result depends on but the passes."""
-        return digest_of(MEANING, self.sky.parameters(), self.sky.clear, self.sky.field, self.directions, self.seed)
+        return digest_of(MEANING, repr(self.sky), self.directions, self.seed, self.paths_per_pass)
 
 
 def traced_through(

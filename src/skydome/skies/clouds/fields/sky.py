@@ -47,6 +47,7 @@ class CloudySky(SpectralSky):
     source: ClassVar[str] = "single scattering (TMS) and diffusion in three dimensions through procedural cloud"
     lowest_sun: ClassVar[float] = PhysicalSky.lowest_sun
     knows_energy: ClassVar[bool] = True
+    nodes_of_energy: ClassVar = (48, 96)
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -25,7 +25,7 @@ LEAST = 0.1
 @part
 def gap(gaps, dx, x, y, level):
     """Metres that are free of cloud from a place on."""
-    found = gaps[int(math.floor(y / dx)) % gaps.shape[0], int(math.floor(x / dx)) % gaps.shape[1]]
+    found = gaps[math.floor(y / dx) % gaps.shape[0], math.floor(x / dx) % gaps.shape[1]]
     return max(found - 1.0, 0.0) * dx / max(level, 1e-9)
 
 
@@ -103,7 +103,7 @@ def phase_at(phase, cosine):
 
 @part
 def from_sky(sky, p, light, worth):
-    """Add the sky's light toward the direction of `p`, a table (elevations, azimuths, C), times what the path is worth."""
+    """Add the light of the sky, a table (elevations, azimuths, C), toward the direction of `p`."""
     row = math.asin(min(max(p[5], 0.0), 1.0)) / (0.5 * math.pi) * (sky.shape[0] - 1)
     column = (math.atan2(p[3], p[4]) / (2 * math.pi) + 1.0) % 1.0 * sky.shape[1]
     j, i = min(int(row), sky.shape[0] - 2), int(column) % sky.shape[1]
@@ -136,7 +136,7 @@ def off_ground(m, gaps, dx, p, lights, key, light, worth):
 def followed(m, gaps, dx, p, laws, lights, sky, key, count, light, worth):
     """Follow a path from its first collision on and gather its light, (C,)."""
     phase, angles, share = laws
-    sun, sun_here, _, albedo = lights
+    sun, sun_here, _, _ = lights
     while True:
         if count > 0:
             left = reaches(m, gaps, dx, p[0], p[1], p[2], sun, stirred(key + np.uint64(count) * GOLDEN))

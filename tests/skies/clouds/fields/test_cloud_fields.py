@@ -1,0 +1,165 @@
+"""Fields of cloud: shape and cover, light against closed forms and discrete ordinates, and the sky that results."""
+
+import numpy as np
+import pytest
+
+import skydome as sd
+from skydome.air.phase_laws import HenyeyGreenstein
+from skydome.air.profiles import Tabulated
+from skydome.skies.clouds.fields import noise
+from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.kinds import Slab
+from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.reference import photon_shares, traced_through
+from skydome.skies.clouds.fields.shadows import sun_share
+
+pytest.importorskip("numba")
+SUN = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
+VIEWS = sd.direction(np.array([200.0, 200, 110, 20, 20]) * sd.deg, np.array([75.0, 15, 50, 60, 20]) * sd.deg)
+HEAPS = CloudField(sd.Cumulus(), cover=0.4, seed=7)
+ONE, DARK = np.ones(1), np.zeros((3, 4, 1))
+
+
+def slab(depth, g=0.5):
+    """A layer of an optical depth."""
+    return CloudField(Slab(phase=HenyeyGreenstein((g,))), cover=1.0, extinction=depth / 1000.0)
+
+
+@pytest.mark.parametrize(
+    ("readable", "either"), [(noise.gradient_by_numpy, noise.gradient), (noise.cells_by_numpy, noise.cells)]
+)
+def test_noise_is_the_same_compiled_and_repeats(readable, either):
+    points = np.random.default_rng(3).uniform(-9, 9, (noise.FEW + 1, 3))
+    known = readable(points, (4, 6, 8), 5)
+    np.testing.assert_allclose(either(points, (4, 6, 8), 5), known, atol=1e-12)
+    np.testing.assert_allclose(either(points + np.array([4, 12, -8]), (4, 6, 8), 5), known, atol=1e-12)
+    assert np.abs(readable(points[:50], (4, 6, 8), 6) - known[:50]).max() > 0.1
+
+
+def test_extinction_is_the_same_compiled():
+    from skydome.skies.clouds.fields.medium_kernel import extinctions
+
+    points = np.random.default_rng(3).uniform([-2e4, -2e4, 900], [2e4, 2e4, 2700], (20_000, 3))
+    out = np.empty(len(points))
+    extinctions(0, len(points), HEAPS.medium, points, out)
+    np.testing.assert_allclose(out, HEAPS.extinction_at(points), atol=1e-8)
+    assert (out > 0).any()
+
+
+@pytest.mark.parametrize("cover", [0.2, 0.6])
+def test_cover_is_the_share_of_columns_with_cloud(cover):
+    field = CloudField(sd.Cumulus(), cover=cover, seed=7)
+    over = np.random.default_rng(1).uniform(0, field.kind.period, (2500, 1, 2))
+    heights = np.linspace(field.base, field.top, 61)
+    points = np.concatenate(
+        [np.broadcast_to(over, (2500, 61, 2)), np.broadcast_to(heights[:, None], (2500, 61, 1))], -1
+    )
+    depths = np.trapezoid(field.extinction_at(points), heights, axis=1)
+    assert abs((depths > 0.03).mean() - cover) < 0.04
+
+
+def test_wind_moves_the_field():
+    field = CloudField(sd.Cumulus(), 0.4, seed=7, wind=(10.0, -5.0))
+    points = np.random.default_rng(2).uniform([0, 0, 1200], [9e3, 9e3, 2000], (500, 3))
+    np.testing.assert_allclose(
+        field.later(60.0).extinction_at(points + np.array([600, -300, 0])), field.extinction_at(points)
+    )
+
+
+def test_diffusion_through_a_slab():
+    lit = LitField.of(slab(10.0, 0.85), SUN)
+    _, of_sun, of_sky, back = lit.budget
+    assert of_sky == pytest.approx(1 / (1 + 0.75 * 10 * 0.15), rel=0.01)  # two streams with Marshak's boundary
+    assert of_sky + back == pytest.approx(1.0, abs=1e-3)
+    straight, scattered = lit.budget[0], of_sun / SUN[2]
+    up, down, direct, taken = photon_shares(lit, 6000)
+    assert up + down + direct + taken == pytest.approx(1.0)
+    assert straight + scattered == pytest.approx(down + direct, abs=0.03)
+    assert photon_shares(lit, 2000, 0.98)[3] > 0.2
+
+
+def test_thin_slab_scatters_once():
+    lit = LitField.of(slab(0.02, 0.0), SUN)
+    seen = lit.seen(VIEWS)
+    np.testing.assert_allclose(seen[:, 1], 0.02 / VIEWS[:, 2] / (4 * np.pi), rtol=0.05)
+    np.testing.assert_allclose(seen[:, 0], np.exp(-0.02 / VIEWS[:, 2]), rtol=0.002)
+    assert sun_share(lit.field, SUN, np.zeros((1, 3)))[0] == pytest.approx(np.exp(-0.02 / SUN[2]), rel=1e-4)
+
+
+@pytest.mark.parametrize("albedo", [0.0, 0.5])
+def test_paths_through_a_slab_meet_discrete_ordinates(albedo):
+    pytest.importorskip("nanodisort")
+    field, profile = slab(3.0), Tabulated((999.5, 1000.5, 1999.5, 2000.5), (0.0, 1.0, 1.0, 0.0))
+    air = sd.Atmosphere((sd.Aerosol(3.0, 0.0, 1.0, field.kind.phase, profile),), albedo, radius=6.371e9, height=5000.0)
+    known = sd.DiscreteOrdinates(SUN, air, streams=32).radiance(VIEWS, [550.0])[:, 0] / air.sun_at([550.0])[0]
+    lit, lights = LitField.of(field, SUN), (SUN, ONE, ONE, ONE * albedo)
+    passes = np.array([traced_through(lit, VIEWS, lights, DARK, 800, 0, n)[:, 0] for n in range(10)])
+    error = passes.std(axis=0, ddof=1) / np.sqrt(len(passes))
+    assert (np.abs(passes.mean(axis=0) - known) < 3 * error).all()
+    assert (error < 0.05 * known).all()
+
+
+@pytest.fixture(scope="module")
+def sky():
+    """A sky of heaps."""
+    return sd.CloudySky(sd.PhysicalSky(SUN), HEAPS)
+
+
+def test_without_cloud_the_sky_is_the_clear_one():
+    clear = sd.PhysicalSky(SUN)
+    np.testing.assert_allclose(sd.CloudySky(clear, CloudField(cover=0.0)).xyz(VIEWS), clear.xyz(VIEWS), rtol=0.01)
+
+
+def test_spectrum_and_colour_agree(sky):
+    from skydome.light.spectrum import xyz_weights
+
+    light = sky.radiance(VIEWS, sky.bands) @ xyz_weights(sky.bands)
+    np.testing.assert_allclose(light, sky.xyz(VIEWS), rtol=0.03)
+    assert (sky.xyz(-VIEWS) == 0).all()
+
+
+def test_far_clouds_melt_into_the_clear_sky(sky):
+    low = sd.direction(np.linspace(0, 6, 24), 0.15 * sd.deg)
+    near = sd.direction(np.linspace(0, 6, 24), 20 * sd.deg)
+    part = [np.abs(sky.luminance(v) / sky.clear.luminance(v) - 1).mean() for v in (low, near)]
+    assert part[0] < 0.3 * part[1]
+
+
+def test_fast_form_against_paths(sky):
+    views = sd.direction(np.arange(160) * 2.4 % 6.2, np.arcsin((np.arange(160) + 8) / 170))
+    views = views[views @ SUN < 0.95]
+    traced = sd.CloudTracing(sky, views).start().more(8)
+    assert sky.luminance(views).mean() == pytest.approx(traced.radiance[:, 1].mean(), rel=0.08)
+
+
+def test_paths_are_taken_up_again(sky, tmp_path):
+    tracing = sd.CloudTracing(sky, VIEWS, paths_per_pass=2)
+    whole, half = tracing.start().more(4), tracing.start().more(2)
+    half.save(tmp_path / "part.npz")
+    np.testing.assert_allclose(tracing.start().resumed(tmp_path / "part.npz").more(2).radiance, whole.radiance)
+
+
+def test_sun_is_dimmed_by_the_cloud_before_it(sky):
+    share = np.array([sun_share(HEAPS, SUN, np.array([[x, 0.0, 0.0]]))[0] for x in np.linspace(0, 16e3, 9)])
+    assert share.min() < 0.1
+    assert share.max() == 1.0
+    shaded = sd.CloudySky(
+        sky.clear, sd.CloudField(sd.Cumulus(), 0.4, seed=7, place=(np.linspace(0, 16e3, 9)[share.argmin()], 0.0))
+    )
+    assert sd.SunDisc.of(shaded).normal_xyz[1] == pytest.approx(
+        sd.SunDisc.of(sky.clear).normal_xyz[1] * shaded.sun_share
+    )
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"cover": 1.2}, r"cover must lie in \[0, 1\], got 1.2"),
+        ({"base": -100.0}, r"base must lie in \[50, 20000\] m, got -100"),
+        ({"thickness": -5.0}, r"thickness must lie in \[20, 10000\] m, got -5"),
+        ({"extinction": -1.0}, r"extinction must lie in \[0, 1\] m-1, got -1"),
+    ],
+)
+def test_refused(wrong, told):
+    with pytest.raises(ValueError, match=told):
+        CloudField(**wrong)
