@@ -39,7 +39,7 @@ def sun_spectra(
 def through(air: Atmosphere, sine: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
     """Sunlight through the air, W m-2 nm-1, (K, W), for the sine (K, 1) of the height at which suns are seen."""
     light = np.asarray(air.transmittance(sine, wavelengths) * air.sun_at(wavelengths))
-    return light.reshape(len(sine), -1)
+    return light.reshape(len(sine), len(wavelengths))
 
 
 def seen_sine(suns: np.ndarray, altitude: float) -> np.ndarray:
