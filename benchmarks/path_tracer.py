@@ -1,6 +1,6 @@
 """The path tracer and discrete ordinates: CPU seconds to an error, and their agreement after many samples.
 
-Run: python benchmarks/path_tracer.py [speed] [twilight] [agreement]
+Run: python benchmarks/path_tracer.py [speed] [twilight] [agreement] [bending]
 """
 
 import sys
@@ -109,6 +109,33 @@ def agreement(passes=512):
     )
 
 
+def bending():
+    """What refraction changes: level light and zenith of the same paths, bent and straight; 450, 550, 650 nm."""
+    d, solid_angles = hemisphere(10, 12)
+    views, level = np.concatenate([d, [sd.ZENITH]]), solid_angles * d[:, 2]
+    for elevation, passes in (
+        (20, 60),
+        (10, 60),
+        (5, 60),
+        (3, 100),
+        (0, 150),
+        (-1, 150),
+        (-2.5, 200),
+        (-4, 300),
+        (-6, 400),
+    ):
+        sun = sd.direction(0.0, elevation * sd.deg)
+        straight, bent = (
+            PathTraced(sun, refraction=yes).job(views, [450.0, 550.0, 650.0]).start().more(passes).radiance
+            for yes in (False, True)
+        )
+        change = level @ bent[:-1] / (level @ straight[:-1]) - 1, bent[-1] / straight[-1] - 1
+        print(
+            f"sun {elevation:g} deg: level {100 * change[0].round(4)} %, zenith {100 * change[1].round(4)} %",
+            flush=True,
+        )
+
+
 if __name__ == "__main__":
     for name in sys.argv[1:] or ["speed", "twilight", "agreement"]:
-        {"speed": speed, "twilight": twilight, "agreement": agreement}[name]()
+        {"speed": speed, "twilight": twilight, "agreement": agreement, "bending": bending}[name]()

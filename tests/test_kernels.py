@@ -137,7 +137,7 @@ KERNEL_PAIRS = (
     ),
     Pair(
         "air.rays:rays",
-        "skies.path_tracing.flight_kernel:sun_transmittance",
+        "skies.path_tracing.flight_kernel:sunlight_at",
         "skies/path_tracing/test_path_traced.py::test_one_bounce_is_single_scattering",
     ),
     Pair(
@@ -169,6 +169,11 @@ KERNEL_PAIRS = (
         "skies.physical.nishita:scattered_once",
         "skies.physical.precomputed.orders_kernel:scatter_once",
         "skies/physical/precomputed/test_precomputed.py::test_light_scattered_once_is_that_by_quadrature",
+    ),
+    Pair(
+        "skies.all_air.column_tables:ColumnTables",
+        "skies.path_tracing.bent_kernel:bent_sunlight",
+        "skies/path_tracing/test_bent_paths.py::test_sunlight_through_bent_air_is_that_of_the_tables",
     ),
     Pair(
         "skies.all_air.single_scattering:lit_rays",

@@ -14,6 +14,7 @@ from skydome.skies.night.celestial import NODES, UNIT
 from skydome.skies.night.eclipse import Eclipse
 from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of, temperature_of
 from skydome.skies.night.skyglow import BORTLE
+from skydome.skies.night.under_cloud import under
 from skydome.skies.night.zodiacal import filled
 from skydome.stars.catalogue import EPOCH, hipparcos
 from skydome.stars.directions import star_directions
@@ -218,10 +219,39 @@ def test_an_eclipse_dims_sun_and_sky():
 
 def test_without_the_catalogue_there_are_no_stars_and_a_note(monkeypatch):
     """The default install has no extra `night`; the command line ended with an error there."""
-    from skydome.skies.night import sky_at
+    from skydome.skies.night import hour
 
-    monkeypatch.setattr(sky_at, "is_installed", lambda: False)
+    monkeypatch.setattr(hour, "is_installed", lambda: False)
     night = sd.sky_at(sd.Place(50.0, 8.0), "2026-01-18T22:00Z")
     assert "planets" in night.names
     assert "stars" not in night.names
     assert any('pip install "skydome[night]"' in note for note in night.notes)
+
+
+@pytest.mark.parametrize(("elevation", "depth"), [(60.0, 5.0), (6.0, 50.0)])
+def test_light_under_an_overcast_is_that_of_discrete_ordinates(elevation, depth):
+    sun, air = sd.direction(0.0, elevation * deg), sd.clear_air()
+    clouded = sd.Atmosphere((*air.constituents, sd.Cloud(depth)), albedo=0.2)
+    wanted = float(sd.illuminance(sd.DiscreteOrdinates(sun, clouded, streams=16)))
+    sky = sd.PhysicalSky(sun, air)
+    found = sum(float(sd.illuminance(under(part, sd.Cloud(depth), air))) for part in (sky, sd.SunDisc.of(sky)))
+    assert found == pytest.approx(wanted, rel=0.07)
+
+
+def test_clouds_by_day_and_night():
+    """An overcast night has about a third of a clear one's light, as measured on Lake Stechlin (Jechow et al. 2016)."""
+    clear, clouded = (
+        float(sd.illuminance(sd.sky_at(PLACE, MOONLESS, clouds=clouds))) for clouds in (None, sd.Cloud(25.0))
+    )
+    assert 0.25 < clouded / clear < 0.4
+    night = sd.sky_at(PLACE, FULL, clouds=20.0)
+    assert night.names[:3] == ("moonlight", "moon", "planets")
+    assert any("overcast of optical depth 20" in note for note in night.notes)
+    assert float(night.luminance(sd.ZENITH)) == pytest.approx(3 * float(night.luminance(sd.EAST)), rel=1e-6)
+    evening = sd.light_at(PLACE, [MOONLESS, FULL], clouds=20.0)
+    np.testing.assert_allclose(evening.total[1], float(sd.illuminance(night)), rtol=5e-3)
+    for wrong, words in ((1.0, "must lie in"), ("thick", "must be of kind")):
+        with pytest.raises((ValueError, TypeError), match=words):
+            sd.sky_at(PLACE, FULL, clouds=wrong)
+    with pytest.raises(ValueError, match="must not be given together"):
+        sd.sky_at(PLACE, FULL, clouds=20.0, glow=sd.SkyGlow())

@@ -165,8 +165,13 @@ def require_taught(numbers: Optics) -> None:
             raise ValueError(f"{NAMES[name]} must lie in {interval}, got {found[wrong].flat[0]:.4g}")
 
 
+def is_earth(air: Atmosphere) -> bool:
+    """Whether the atmosphere is about as large as the earth's."""
+    return bool(abs(air.radius / 6_371_000.0 - 1) <= 0.01 and abs(air.height / 100_000.0 - 1) <= 0.5)
+
+
 def require_earth(air: Atmosphere) -> None:
     """ValueError unless the atmosphere is about as large as the earth's: only that was taught."""
-    if abs(air.radius / 6_371_000.0 - 1) > 0.01 or abs(air.height / 100_000.0 - 1) > 0.5:
+    if not is_earth(air):
         size = f"radius {air.radius / 1000:g} km, air up to {air.height / 1000:g} km"
         raise ValueError(f"the physical sky was taught for the earth's atmosphere (6371 km, 100 km), got {size}")

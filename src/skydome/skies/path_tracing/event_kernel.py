@@ -13,7 +13,8 @@ import numpy as np
 from skydome.ground.compiled import ANY_ORDER, inlined, job
 from skydome.ground.elementary_kernel import exponential_double
 from skydome.skies.path_tracing.air_kernel import densities_at, phase_row, sample_phase_cosine, turned
-from skydome.skies.path_tracing.flight_kernel import GROUNDED, column_to, sun_transmittance
+from skydome.skies.path_tracing.bent_kernel import SHADOW
+from skydome.skies.path_tracing.flight_kernel import GROUNDED, column_to, sunlight_at
 from skydome.skies.path_tracing.guide_kernel import direction_pdf, sample_direction
 
 jit, compiled = inlined(ANY_ORDER), job(ANY_ORDER)
@@ -109,8 +110,9 @@ def arrive_on_ground(end, guided, guide_pdf, sun, air, state, total):
 def next_event_on_ground(cos_sun, air, state, total):
     """Next-event estimation: add the sunlight that the ground reflects into the path."""
     share = mean_pdf(air, state)
-    if cos_sun > 0 and share > 0 and sun_transmittance(air.radius, cos_sun, state.fade, air, state.light):
-        scale = cos_sun / (math.pi * share)
+    seen = sunlight_at(air.radius, cos_sun, state.fade, air, state.light) if share > 0 else SHADOW
+    if seen > 0:
+        scale = seen / (math.pi * share)
         for j in range(total.size):
             total[j] += state.throughput[j] * state.light[j] * scale
 
@@ -160,12 +162,24 @@ def scattering(cosine, air, laws, state, both, alone):
 
 
 @jit
+def angle_to_sun(at, cos_sun, seen, sun, state):
+    """Cosine of the angle between the path and the sun, which stands at `cos_sun` and is seen at `seen`."""
+    toward = dot(state.d, sun)
+    if seen == cos_sun:
+        return toward
+    up = dot(state.x, state.d) / at
+    flat = math.sqrt(max(1 - seen * seen, 0.0) / max(1 - cos_sun * cos_sun, 1e-12))
+    return min(max(seen * up + flat * (toward - cos_sun * up), -1.0), 1.0)
+
+
+@jit
 def next_event_in_air(at, cos_sun, sun, air, laws, state, total):
     """Next-event estimation: add the sunlight that the air here scatters into the path."""
     share = mean_pdf(air, state)
-    if share > 0 and sun_transmittance(at, cos_sun, state.fade, air, state.light):
+    seen = sunlight_at(at, cos_sun, state.fade, air, state.light) if share > 0 else SHADOW
+    if seen != SHADOW:
         both, scale = state.lanes[0], 1 / share
-        scattering(dot(state.d, sun), air, laws, state, both, state.lanes[1])
+        scattering(angle_to_sun(at, cos_sun, seen, sun, state), air, laws, state, both, state.lanes[1])
         for j in range(total.size):
             total[j] += state.throughput[j] * both[j] * state.light[j] * scale
 

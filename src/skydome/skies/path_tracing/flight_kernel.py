@@ -10,6 +10,7 @@ import math
 from skydome.ground.compiled import ANY_ORDER, inlined
 from skydome.ground.elementary_kernel import exponential_double
 from skydome.skies.path_tracing.air_kernel import column_out, densities_at, fade_at
+from skydome.skies.path_tracing.bent_kernel import SHADOW, bent_sunlight
 
 jit = inlined(ANY_ORDER)
 RISING, PASSING, GROUNDED = 0, 1, 2
@@ -112,14 +113,16 @@ def free_flight(goal, r, cosine, segment, hero, air, fade, density, columns):
 
 
 @jit
-def sun_transmittance(r, cosine, fade, air, light):
-    """Transmittance toward the sun at each wavelength into `light` (L,); False in the planet's shadow.
+def sunlight_at(r, cosine, fade, air, light):
+    """Sunlight at each wavelength into `light` (L,), for a sun of 1: the sine of the elevation at which it is seen.
 
-    `fade` (K,) is that of the place.
+    SHADOW where it is not. `cosine` is where it stands without air; `fade` (K,) is that of the place.
     """
+    if air.bent.refractivity > 0:
+        return bent_sunlight(r - air.radius, cosine, air, light)
     lowest = r * math.sqrt(max(1 - cosine * cosine, 0.0))
     if cosine < 0 and lowest < air.radius:
-        return False
+        return SHADOW
     light[:] = 0.0
     for k in range(air.rates.shape[0]):
         column = column_out(k, r, abs(cosine), fade[k], air)
@@ -129,4 +132,4 @@ def sun_transmittance(r, cosine, fade, air, light):
             light[j] -= air.depth[k, j] * column
     for j in range(light.shape[0]):
         light[j] = exponential_double(light[j])
-    return True
+    return cosine

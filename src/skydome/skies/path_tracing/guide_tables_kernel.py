@@ -8,7 +8,8 @@ import math
 
 from skydome.ground.compiled import ANY_ORDER, inlined
 from skydome.skies.path_tracing.air_kernel import densities_at
-from skydome.skies.path_tracing.flight_kernel import segment_of, sun_transmittance
+from skydome.skies.path_tracing.bent_kernel import SHADOW
+from skydome.skies.path_tracing.flight_kernel import segment_of, sunlight_at
 from skydome.skies.path_tracing.guide_kernel import row_cosine, tabulate_cells
 
 jit = inlined(ANY_ORDER)
@@ -28,9 +29,9 @@ def direct_light(air, guide, direct, scattering, fade, density, light):
                 guide.extinction[i, n] += air.depth[k, guide.bands[n]] * density[k]
         for j in range(suns):
             sine = guide.least + (guide.most - guide.least) * j / (suns - 1)
-            lit = sun_transmittance(air.radius + height, sine, fade, air, light)
+            seen = sunlight_at(air.radius + height, sine, fade, air, light)
             for n in range(4):
-                direct[i, j, n] = light[guide.bands[n]] if lit else 0.0
+                direct[i, j, n] = light[guide.bands[n]] if seen != SHADOW else 0.0
 
 
 @jit

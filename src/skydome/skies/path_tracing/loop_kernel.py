@@ -16,6 +16,7 @@ import numpy as np
 from skydome.ground.compiled import ANY_ORDER, inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.skies.path_tracing.air_kernel import densities_at, turned
+from skydome.skies.path_tracing.bent_kernel import bend_view
 from skydome.skies.path_tracing.event_kernel import (
     arrive_in_air,
     arrive_on_ground,
@@ -150,6 +151,8 @@ def trace_path(path, own, key, expected, sun, air, laws, guide, choices, state, 
             arrive_on_ground(segment[1], guided, guide_pdf, sun, air, state, total)
         else:
             at = arrive_in_air(t, r, cosine, segment[2], guided, guide_pdf, air, state)
+            if order == 0 and air.bent.refractivity > 0:
+                bend_view(at, cosine, air, state)
             if not (order == 0 and choices.skip_first):
                 next_event_in_air(at, dot(state.x, sun) / at, sun, air, laws, state, total)
         order += 1

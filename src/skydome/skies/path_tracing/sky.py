@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.rays import ColumnTable
+from skydome.air.bending import REFRACTIVITY
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions
@@ -14,11 +14,15 @@ from skydome.ground.extras import required
 from skydome.ground.files.contents import digest_of
 from skydome.ground.limits.ranges import SEED, Range
 from skydome.light.spectrum import checked_wavelengths
+from skydome.skies.all_air.bent_sun import BentSun
+from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.single_scattering import as_seen
+from skydome.skies.all_air.taught_air import is_earth, require_earth
+from skydome.skies.path_tracing.first_order import bent_once, straight_once
 from skydome.skies.path_tracing.guide import guide_for
 from skydome.skies.path_tracing.tables import law_tables, shells
 from skydome.skies.path_tracing.tracing import Tracing
 from skydome.skies.physical.atmosphere_sky import AtmosphereSky
-from skydome.skies.physical.nishita import scattered_once
 
 GUIDED_BELOW = 3.0
 """Elevation of the sun, degrees, below which paths are guided: from there on it is worth what it costs."""
@@ -28,7 +32,10 @@ ALL_ORDERS = 1000
 PATHS_PER_PIECE = 64
 """That are worth a thread's while."""
 
-PATHS = 2
+REFRACTED_BELOW = 5.0
+"""Elevation of the sun, degrees, below which the air bends light."""
+
+PATHS = 3
 """Counted up whenever a seed comes to mean other paths, which are not to be mixed in one tracing."""
 
 
@@ -55,15 +62,15 @@ class TracingJob:
         """The light scattered once, by quadrature, where the paths leave it out, sr-1, (D, W); else 0."""
         if not (self.sky.exact_first and self.sky.is_day):
             return 0.0
-        table = ColumnTable.of(self.sky.atmosphere, 144, 128)
-        start = np.full(len(self.directions), self.sky.atmosphere.radius)
-        return scattered_once(table, start, self.directions, np.asarray(self.sky.sun), self.wavelengths)
+        air, sun = self.sky.atmosphere, np.asarray(self.sky.sun, dtype=np.float64)
+        once = bent_once if self.sky.refractivity > 0 else straight_once
+        return once(air, sun, self.directions, self.wavelengths)
 
     @cached_property
     def tables(self) -> tuple[Any, ...]:
         """The atmosphere, its phase laws and what guides the paths, as the kernel reads them."""
         air, sky = self.sky.atmosphere, self.sky
-        geometry = shells(air, self.wavelengths)
+        geometry = shells(air, self.wavelengths, sky.refractivity)
         return geometry, law_tables(air, self.wavelengths), guide_for(geometry, float(sky.sun[2]), sky.guide_share)
 
     def one_pass(self, number: int) -> Array:
@@ -93,8 +100,10 @@ class PathTraced(AtmosphereSky):
 
     `orders` stops paths after so many scatterings; `exact_first` takes the first by quadrature. A share `guide` of the
     flights is guided to where light is scattered (None: 0.8 for suns below 3 degrees, else 0), which changes the noise
-    and never the mean. The same `seed` gives the same light whatever the threads. Errors: Monte Carlo's, given by
-    `job(...)`; Kocifaj's columns, below 0.3 %. No polarisation. Needs the extra `fast` (numba).
+    and never the mean. `refraction`: whether the air bends sunlight and the eye's own rays, `sun` being where it stands
+    without air (None: for suns below 5 degrees, on the earth). The same `seed` gives the same light whatever the
+    threads. Errors: Monte Carlo's, given by `job(...)`; Kocifaj's columns, below 0.3 %. No polarisation. Needs the
+    extra `fast` (numba).
 
     >>> import skydome as sd
     >>> sky = PathTraced(sd.direction(azimuth=180 * sd.deg, elevation=45 * sd.deg), relative_error=0.02)
@@ -109,6 +118,7 @@ class PathTraced(AtmosphereSky):
     guide: float | None = None
     roulette: float = 0.2
     paths_per_pass: int = 8
+    refraction: bool | None = None
     bounds: ClassVar = {
         "relative_error": Range(1e-6, 0.5),
         "seed": SEED,
@@ -118,6 +128,7 @@ class PathTraced(AtmosphereSky):
         "paths_per_pass": Range(1, 1 << 20),
     }
     lowest_sun: ClassVar[float] = -12.0
+    bends_light: ClassVar[bool] = True
     source: ClassVar[str] = "backward Monte Carlo, next-event estimation, spectral MIS (Wilkie et al. 2014)"
     quick_to_see: ClassVar[bool] = False
 
@@ -125,6 +136,25 @@ class PathTraced(AtmosphereSky):
         super().__post_init__()
         if not self.one_sun:
             raise ValueError(f"a path-traced sky has one sun of shape (3,), got {np.shape(self.sun)}")
+        if self.refraction:
+            require_earth(self.atmosphere)
+
+    @property
+    def refractivity(self) -> float:
+        """Refractive index of the air less 1 at the ground; 0 where rays are straight."""
+        low = float(self.sun[2]) < np.sin(np.radians(REFRACTED_BELOW)) and is_earth(self.atmosphere)
+        return REFRACTIVITY if (low if self.refraction is None else self.refraction) else 0.0
+
+    @property
+    def seen_sun(self) -> Array:
+        """The sun (3,) where it is seen, lifted by the air."""
+        sun = np.asarray(self.sun, dtype=np.float64)
+        return as_seen(ColumnTables.of(self.atmosphere), sun) if self.refractivity > 0 else sun
+
+    def own_disc(self, angular_radius: Any) -> BentSun | None:
+        """The sun's disc by bent rays; None where they are straight."""
+        bent = self.refractivity > 0
+        return BentSun.through(self.atmosphere, np.asarray(self.sun), angular_radius) if bent else None
 
     @property
     def guide_share(self) -> float:

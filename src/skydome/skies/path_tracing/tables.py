@@ -9,11 +9,33 @@ from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import Exponential
 from skydome.air.rays import columns_out
 from skydome.ground.quadrature import gauss_legendre
+from skydome.skies.all_air.column_tables import ColumnTables, density_levels
 
 ROWS, PLACES, HEIGHTS, ANGLES = 96, 96, 2048, 4096
 RAYLEIGH, LOBES, TABLE = 0, 1, 2
 LANES = 4
 """Wavelengths are filled up to a multiple of this, so that the kernel's loops over them run in vectors."""
+
+
+class Bent(NamedTuple):
+    """How the air bends light: the tables of `air.bending`, and of `ColumnTables` for K constituents."""
+
+    refractivity: float
+    """Refractive index less 1 at the ground; 0: rays are straight, and the tables empty."""
+    room: float
+    density: np.ndarray
+    """Over that at the ground, (levels,)."""
+    columns: np.ndarray
+    """(K, heights, cosines), ..."""
+    level: np.ndarray
+    """... of level rays, (K, heights)."""
+    turned: np.ndarray
+    """(heights, cosines)."""
+    horizon: np.ndarray
+    """(heights,)."""
+    lift: np.ndarray
+    """(heights, places), and ..."""
+    share: np.ndarray
 
 
 class Shells(NamedTuple):
@@ -37,6 +59,7 @@ class Shells(NamedTuple):
     """The ground's, (L,)."""
     bands: int
     """How many wavelengths are real."""
+    bent: Bent
 
 
 class Laws(NamedTuple):
@@ -60,7 +83,17 @@ def filled_up(rows: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(np.concatenate([rows, np.repeat(rows[..., -1:], spare, axis=-1)], axis=-1))
 
 
-def shells(air: Atmosphere, wavelengths: np.ndarray) -> Shells:
+def bent(air: Atmosphere, refractivity: float) -> Bent:
+    """How an atmosphere of a refractive index less 1 at the ground bends light."""
+    if refractivity == 0:
+        none = np.zeros((2, 2))
+        return Bent(0.0, 1.0, none[0], none[None], none, none, none[0], none, none)
+    own = ColumnTables.of(air, refractivity)
+    rows = own.columns, own.level, own.bent.turned, own.bent.horizon, own.bent.lift, own.bent.share
+    return Bent(refractivity, own.bent.room, density_levels(own.height)[0], *map(np.ascontiguousarray, rows))
+
+
+def shells(air: Atmosphere, wavelengths: np.ndarray, refractivity: float = 0.0) -> Shells:
     """The atmosphere at wavelengths (W,) as the kernels read it."""
     count = len(air.constituents)
     rates, tables, densities = np.zeros(count), np.zeros((count, ROWS, PLACES)), np.zeros((count, HEIGHTS))
@@ -73,7 +106,16 @@ def shells(air: Atmosphere, wavelengths: np.ndarray) -> Shells:
     depth = np.stack([part.depth(wavelengths) for part in air.constituents])
     scattered = depth * np.stack([part.scattered(wavelengths) for part in air.constituents])
     light = filled_up(depth), filled_up(scattered), (scattered > 0).any(axis=1), filled_up(air.albedo_at(wavelengths))
-    return Shells(float(air.radius), float(air.height), rates, tables, densities, *light, wavelengths.size)
+    return Shells(
+        float(air.radius),
+        float(air.height),
+        rates,
+        tables,
+        densities,
+        *light,
+        wavelengths.size,
+        bent(air, refractivity),
+    )
 
 
 def columns_of(air: Atmosphere, k: int) -> np.ndarray:

@@ -26,6 +26,11 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         """The ground's, a number or a `Spectrum`."""
         return self.atmosphere.albedo
 
+    @property
+    def seen_sun(self) -> Array:
+        """The sun (..., 3) where it is seen: the middle of its glow."""
+        return floating(self.sun)
+
     def tell_missing_bands(self, wavelengths: Any) -> None:
         """A warning where `wavelengths` ask for bands of gases that the air lacks; colours, with `bands`, are none."""
         if wavelengths is not self.bands:

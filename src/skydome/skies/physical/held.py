@@ -165,11 +165,12 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
         raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
     w, views = SpectralSky.bands if bands is None else bands, node_directions(sun)
     whole = (sky.radiance(views, w) if light is None else light) / sky.sunlight(views, w)
-    once = strengths(air, views, sun, w) * bool(sky.is_day)
-    rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ sun), once)
+    seen = np.asarray(sky.seen_sun, dtype=np.float64)
+    once = strengths(air, views, seen, w) * bool(sky.is_day)
+    rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ seen), once)
     colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
     fields = colours.of_light(np.concatenate([once, rest[None]]), air.gases, sun[2], views[:, 2])
-    return HeldSky(sun, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
+    return HeldSky(seen, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
 
 
 def series_of(fields: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.model import Model
 from skydome.years.skies.clouds import cloud_share, overcast_light, overcast_xyz
 from skydome.years.skies.perez_year import PerezYear
-from skydome.years.skies.sun_spectra import sun_spectra
+from skydome.years.skies.sun_spectra import continued, sun_spectra
 
 if TYPE_CHECKING:
     import xarray
@@ -116,10 +116,12 @@ def add_spectrum(
     radiance = np.zeros((*luminance.shape, w.size), np.float32)
     horizontal = np.zeros((len(luminance), EVERY.size))
     weights = xyz_weights(EVERY)[:, 1]
-    clouded, clouded_every = overcast_light().at(w), overcast_light().at(EVERY)
+    clouded_every, altitude = overcast_light().at(EVERY), data.attrs["altitude"]
     for part in pieces(sky, cut, 3 * EVERY.size + w.size):
         rows = sky.lit[part]
-        clear = clear_sky(colour, sky.suns[rows], air.haze[part], data.attrs["altitude"])
+        clear = clear_sky(colour, sky.suns[rows], air.haze[part], altitude)
+        gas: Any = clear_sky("physical", sky.suns[rows], air.haze[part], altitude)
+        clouded = continued(overcast_light(), gas.atmosphere, sky.suns[rows], altitude, w)[:, None]
         every = visible_radiance(clear, cut)
         blue, grey = split(luminance[rows].astype(np.float64), air.clouds[part])
         factor = safe_divide(blue, every @ weights)[..., None]

@@ -1,11 +1,15 @@
-"""The sun's spectrum in every hour of a coloured year: clear air's, at the direct light that was measured."""
+"""The sun's spectrum in every hour of a coloured year: clear air's, at the direct light that was measured.
+
+Beyond the wavelengths that overcast light is known at, its spectrum goes on as the sun's: drops and crystals are nearly
+grey up to 1 micrometre, and the gases of the air absorb of both.
+"""
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import safe_divide
 from skydome.ground.directions import zenith_angle
-from skydome.light.spectrum import xyz_weights
+from skydome.light.spectrum import Spectrum, xyz_weights
 from skydome.sun.refraction import lift, standard_pressure
 
 VISIBLE = np.arange(380.0, 781.0, 10.0)
@@ -26,8 +30,7 @@ def sun_spectra(
     >>> (found[0] / found[0, 1]).round(2).tolist()
     [0.89, 1.0, 0.95]
     """
-    true = np.pi / 2 - zenith_angle(suns)
-    sine = np.sin(np.maximum(true + lift(true, standard_pressure(altitude), TEMPERATURE), 0.0))[:, None]
+    sine = seen_sine(suns, altitude)
     visible, found = (through(air, sine, w) for w in (VISIBLE, wavelengths))
     light = visible @ xyz_weights(VISIBLE)[:, 1]
     return np.asarray(found * safe_divide(illuminance, light)[:, None])
@@ -36,4 +39,29 @@ def sun_spectra(
 def through(air: Atmosphere, sine: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
     """Sunlight through the air, W m-2 nm-1, (K, W), for the sine (K, 1) of the height at which suns are seen."""
     light = np.asarray(air.transmittance(sine, wavelengths) * air.sun_at(wavelengths))
-    return light.reshape(len(sine), -1)
+    return light.reshape(len(sine), len(wavelengths))
+
+
+def seen_sine(suns: np.ndarray, altitude: float) -> np.ndarray:
+    """Sine (K, 1) of the height at which suns (K, 3) are seen, lifted by the air; 0 for those below the horizon."""
+    true = np.pi / 2 - zenith_angle(suns)
+    sine: np.ndarray = np.sin(np.maximum(true + lift(true, standard_pressure(altitude), TEMPERATURE), 0.0))[:, None]
+    return sine
+
+
+def continued(
+    spectrum: Spectrum, air: Atmosphere, suns: np.ndarray, altitude: float, wavelengths: np.ndarray
+) -> np.ndarray:
+    """The spectrum at `wavelengths` (W,), nm, (K, W): beyond its own ones with the shape of the sun's light, joined.
+
+    (1, W) where nothing is beyond.
+    """
+    within = np.clip(wavelengths, spectrum.wavelengths[0], spectrum.wavelengths[-1])
+    known = spectrum.at(within)[None]
+    if (within == wavelengths).all():
+        return np.asarray(known)
+    sine = seen_sine(suns, altitude)
+    ends = through(air, sine, spectrum.wavelengths[[0, -1]])
+    end = np.where(wavelengths > within, ends[:, 1:], ends[:, :1])
+    beyond = known * safe_divide(through(air, sine, wavelengths), end)
+    return np.where(within == wavelengths, known, beyond)

@@ -29,9 +29,6 @@ from skydome.sun.day import is_day
 AT_ONCE = 1 << 14
 """Directions computed together."""
 
-NIGHT = 1e-9
-"""Slack of the lowest sun, degrees."""
-
 
 class Numbers(NamedTuple):
     """The parameters of one sky: its sun (3,), visibility, m, albedo, altitude, m."""
@@ -75,7 +72,7 @@ class Prague(SunlitSky, SpectralSky):
     @property
     def lowest(self) -> float:
         """Elevation of the file's lowest sun, degrees."""
-        return float(self.held.elevations[0]) - NIGHT
+        return float(self.held.elevations[0])
 
     @property
     def is_day(self) -> Array:
