@@ -166,6 +166,10 @@ CALLS = {
     "surface_magnitude": {"luminance": 1e-3},
     "sky_at": {"place": TURIN, "time": NOON},
     "light_at": {"place": TURIN, "times": [NOON]},
+    "Cumulus": {}, "Stratocumulus": {}, "Altocumulus": {}, "Cirrus": {}, "CloudField": {},
+    "CloudySky": {"clear": sd.PhysicalSky(SUN), "field": sd.CloudField()},
+    "CloudTracing": {"sky": sd.CloudySky(sd.PhysicalSky(SUN), sd.CloudField()), "directions": VIEWS},
+    "clouds_for": {"dni": 420.0, "dhi": 210.0, "sun": sd.direction(0.0, 0.01)},  # too low a sun: nothing is sought
     "broadband": {"sky": HW}, "uv_index": {"sky": HW}, "photosynthetic_photon_flux": {"sky": HW},
 }  # fmt: skip
 """Public names, each with arguments that it takes (but for the file)."""
@@ -174,6 +178,7 @@ ANSWERS = {
     "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
     "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
     "Eclipse", "LunarEclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures",
+    "MeasuredClouds", "ShadowMap",
 }  # fmt: skip
 """What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""
 

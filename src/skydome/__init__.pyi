@@ -22,6 +22,8 @@ from skydome.dome.energy.broadband import Broadband as Broadband
 from skydome.dome.energy.broadband import broadband as broadband
 from skydome.dome.energy.doses import photosynthetic_photon_flux as photosynthetic_photon_flux
 from skydome.dome.energy.doses import uv_index as uv_index
+from skydome.dome.energy.measured_clouds import MeasuredClouds as MeasuredClouds
+from skydome.dome.energy.measured_clouds import clouds_for as clouds_for
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
@@ -112,6 +114,14 @@ from skydome.skies.captured import CapturedSky as CapturedSky
 from skydome.skies.cie import CIE as CIE
 from skydome.skies.cie import CIEClear as CIEClear
 from skydome.skies.cie import CIEIntermediate as CIEIntermediate
+from skydome.skies.clouds.fields.field import CloudField as CloudField
+from skydome.skies.clouds.fields.kinds import Altocumulus as Altocumulus
+from skydome.skies.clouds.fields.kinds import Cirrus as Cirrus
+from skydome.skies.clouds.fields.kinds import Cumulus as Cumulus
+from skydome.skies.clouds.fields.kinds import Stratocumulus as Stratocumulus
+from skydome.skies.clouds.fields.reference import CloudTracing as CloudTracing
+from skydome.skies.clouds.fields.shadows import ShadowMap as ShadowMap
+from skydome.skies.clouds.fields.sky import CloudySky as CloudySky
 from skydome.skies.colour_sky import ColourSky as ColourSky
 from skydome.skies.colour_sky import SpectralSky as SpectralSky
 from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance

@@ -11,6 +11,7 @@ from typing import Annotated, Any, get_type_hints
 
 from typer import Option
 
+from skydome.cli.clouds.options import CloudOptions
 from skydome.cli.quantities import metres_from
 
 WHEN, AIR, LEVEL = "Place, time and sun", "Air and sky", "Level and colour of skies that know luminance only"
@@ -57,7 +58,7 @@ ModelName = Annotated[
 
 
 @dataclass(frozen=True)
-class SkyOptions(SunOptions):
+class SkyOptions(CloudOptions, SunOptions):
     """A sky: the sun, the model and its parameters. None: not given."""
 
     model: ModelName = "physical"
@@ -193,7 +194,7 @@ def option_name(parameter: str) -> str:
     >>> option_name("direct_normal_irradiance"), option_name("zenith_luminance")
     ('--dni', '--zenith-luminance')
     """
-    short = {"direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi"}
+    short = {"direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi", "cloud_seed": "seed"}
     if parameter not in SkyOptions.__dataclass_fields__:
         return f"--set {parameter}="
     return "--" + short.get(parameter, parameter).replace("_", "-")

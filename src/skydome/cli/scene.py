@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from skydome.cli.clouds.scene import with_clouds, without_clouds
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_light
 from skydome.cli.night.eclipse import under_eclipse
@@ -39,8 +40,9 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     from skydome.skies.catalogue import model_named
 
     model = model_named(options.model)
+    asked, options = options, without_clouds(options)
     options, haze = hazed(model, options)
-    if any_hour and shows_the_night(model, options):
+    if any_hour and asked.clouds is None and shows_the_night(model, options):
         light = whole_light(model, options, north)
         return Scene(model.name, light.sky, light.whole, None, light.moment, light.notes)
     true = moment_for(model, options)
@@ -48,7 +50,10 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     sky, notes = build(model, moment, options)
     sky, dimmed = under_eclipse(sky, true)
     coloured, more = in_colour(sky, moment, options)
-    disc, last = disc_for(model, coloured, moment, options)
+    if asked.clouds is None:
+        disc, last = disc_for(model, coloured, moment, options)
+    else:
+        coloured, disc, last = with_clouds(coloured, asked)
     disc, size = of_size(disc, options.sun_size)
     notes = haze + notes + dimmed + more + last + size
     overcast = None

@@ -1,5 +1,6 @@
 """Clouds that carry measured light: a field whose sky has the direct and diffuse irradiance that were measured."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -8,6 +9,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.dome.energy.measured_air import NEAR, Clear, airs_for
 from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import brief
 from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.ground.units import SOLAR_CONSTANT
@@ -22,7 +24,7 @@ from skydome.skies.suns.sun_disc import SunDisc
 OPEN_SUN = 0.85
 """Share of the clear sun from which on few clouds are likely."""
 KNOTS = (
-    (0.04, 0.4), (0.12, 0.7), (0.25, 1.0), (0.45, 1.0), (0.65, 1.0), (0.85, 1.0), (1.0, 1.3), (1.0, 3.0), (1.0, 8.0),
+    (0.04, 4.0), (0.1, 2.5), (0.22, 1.5), (0.45, 1.0), (0.65, 1.0), (0.85, 1.0), (1.0, 1.3), (1.0, 3.0), (1.0, 8.0),
     (1.0, 20.0),
 )  # fmt: skip
 """Covers, and extinctions over the kind's usual one, that are gone along: from a few thin clouds to a dark cover."""
@@ -43,6 +45,11 @@ class MeasuredClouds:
     """A sky with clouds that carries measured light: `whole` is `sky` with the sun's `disc`.
 
     `diffuse_factor`, `direct_factor`: by what the sky's and the disc's light were multiplied in the end, near 1.
+
+    >>> import skydome as sd
+    >>> found = clouds_for(900.0, 110.0, sd.direction(azimuth=200 * sd.deg, elevation=50 * sd.deg))
+    >>> 0.9 < found.diffuse_factor < 1.1
+    True
     """
 
     sky: SpectralSky
@@ -83,9 +90,10 @@ def clouds_for(
     >>> round(float(light.direct_normal)), abs(round(float(light.diffuse_horizontal)) - 210) < 3
     (420, True)
     """
-    sun = require_light(dni, dhi, sun, air)
     start = CloudField(Cumulus(), seed=0) if field is None else field
     require_kind(start, CloudField, "field", "CloudField(Cumulus(), seed=7)")
+    require_kind(air, Atmosphere | None, "air", "clear_air()")
+    sun = require_light(dni, dhi, sun, air)
     refused: list[ValueError] = []
     for clear, share in airs_for(dni, dhi, sun, clear_air() if air is None else air):
         try:
@@ -110,13 +118,13 @@ def carried(dni: float, dhi: float, clear: Clear, field: CloudField) -> Measured
 
 def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> np.ndarray:
     """The sun (3,); ValueError for light that no sky has."""
-    sun = np.asarray(checked_directions(np.asarray(sun, np.float64), "sun"))
-    if sun.shape != (3,) or sun[2] < np.sin(np.radians(LOWEST)):
-        raise ValueError(f"sun must be one direction, {LOWEST:g} degrees above the horizon or more, got {sun.tolist()}")
     above = SOLAR_CONSTANT * (1.0 if air is None else air.sun_scale)
+    sun = np.asarray(checked_directions(sun, "sun"), np.float64)
+    if sun.shape != (3,) or sun[2] < np.sin(np.radians(LOWEST)):
+        raise ValueError(f"sun must be one direction, {LOWEST:g} degrees above the horizon or more, got {brief(sun)}")
     for name, value, most in (("dni", dni, above), ("dhi", dhi, above * float(sun[2]))):
-        require_one(name, value)
         require(name, value, Range(0.0, round(most, 1), "W m-2"))
+        require_one(name, value)
     if dhi < 1:
         raise ValueError(f"dhi must be 1 W m-2 or more while the sun is up, under full cover too, got {dhi:g}")
     return sun
@@ -125,10 +133,16 @@ def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> n
 def finely(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
     """As `field_for`, looked for once more where the finer grid tells another irradiance."""
     found = field_for(dhi, share, clear, start)
-    fine = clear.diffuse(found, 2) if found.cover else dhi
+    if not found.cover:
+        return found
+    fine = clear.diffuse(found, 2)
     if abs(fine / dhi - 1) < CLOSE:
         return found
-    return field_for(dhi * clear.diffuse(found) / fine, share, clear, start)
+    with suppress(ValueError):
+        other = field_for(dhi * clear.diffuse(found) / fine, share, clear, start)
+        if abs(clear.diffuse(other, 2) / dhi - 1) < abs(fine / dhi - 1):
+            return other
+    return found
 
 
 def field_for(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:

@@ -7,6 +7,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 
 from skydome.ground.arguments import require_kind
+from skydome.ground.arrays import brief
 from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
 from skydome.skies.clouds.fields.kinds import CloudKind, Cumulus, ramp
 from skydome.skies.clouds.fields.noise import cells
@@ -83,6 +84,9 @@ class CloudField(Bounded):
             if getattr(self, name) is None:
                 object.__setattr__(self, name, getattr(self.kind, name))
         self.require_bounds()
+        for name in ("wind", "place"):
+            if np.shape(getattr(self, name)) != (2,):
+                raise ValueError(f"{name} must be two numbers (east, north), got {brief(getattr(self, name))}")
 
     def later(self, seconds: float) -> Self:
         """The field after so many seconds of wind."""

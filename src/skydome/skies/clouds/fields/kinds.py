@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.skies.clouds.fields.noise import ENDLESS, cells, gradient
 
@@ -36,6 +37,9 @@ class CloudKind(ABC):
     erosion: ClassVar[float] = 0.0
     detail: ClassVar[float] = 10.0
     edge: ClassVar[float] = 0.05
+
+    def __post_init__(self) -> None:
+        require_kind(self.phase, PhaseLaw, "phase", "HenyeyGreenstein((0.85,))")
 
     @abstractmethod
     def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
@@ -83,7 +87,12 @@ def level(points: np.ndarray) -> Array:
 
 @dataclass(frozen=True)
 class Cumulus(CloudKind):
-    """Heaps with flat bases and tops like cauliflower."""
+    """Heaps with flat bases and tops like cauliflower.
+
+    >>> Cumulus().base
+    1200.0
+    """
+
 
     base: ClassVar[float] = 1200.0
     thickness: ClassVar[float] = 1300.0
@@ -110,7 +119,12 @@ class Cumulus(CloudKind):
 
 @dataclass(frozen=True)
 class Stratocumulus(CloudKind):
-    """A low sheet of broad cells, bright in their middles, with thin places between."""
+    """A low sheet of broad cells, bright in their middles, with thin places between.
+
+    >>> Stratocumulus().base
+    900.0
+    """
+
 
     base: ClassVar[float] = 900.0
     thickness: ClassVar[float] = 400.0
@@ -137,7 +151,12 @@ class Stratocumulus(CloudKind):
 
 @dataclass(frozen=True)
 class Altocumulus(CloudKind):
-    """A sheet of small heaps in rolls, at middle height."""
+    """A sheet of small heaps in rolls, at middle height.
+
+    >>> Altocumulus().base
+    3500.0
+    """
+
 
     base: ClassVar[float] = 3500.0
     thickness: ClassVar[float] = 300.0
@@ -161,7 +180,12 @@ class Altocumulus(CloudKind):
 
 @dataclass(frozen=True)
 class Cirrus(CloudKind):
-    """Thin streaks of ice, high up."""
+    """Thin streaks of ice, high up.
+
+    >>> Cirrus().base
+    9000.0
+    """
+
 
     phase: PhaseLaw = field(default=ICE)
     base: ClassVar[float] = 9000.0

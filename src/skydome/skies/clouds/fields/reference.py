@@ -6,10 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
 from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions, direction
 from skydome.ground.files.contents import digest_of
+from skydome.ground.limits.ranges import SEED, Range, require, require_one
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.sky import CloudySky
@@ -46,7 +48,12 @@ class CloudTracing:
     paths_per_pass: int = 8
 
     def __post_init__(self) -> None:
-        checked_directions(self.directions)
+        require_kind(self.sky, CloudySky, "sky", "CloudySky(PhysicalSky(sun), CloudField())")
+        if np.ndim(checked_directions(self.directions)) != 2:
+            raise ValueError(f"directions must have shape (D, 3), got {np.shape(self.directions)}")
+        for name, span in (("seed", SEED), ("paths_per_pass", Range(1, 1 << 20))):
+            require(name, getattr(self, name), span)
+            require_one(name, getattr(self, name), whole=True)
 
     exact = 0.0
     sunlight = np.ones(1)

@@ -52,7 +52,14 @@ def sun_share(field: CloudField, sun: Any, places: Any, points: int = POINTS) ->
 
 @dataclass(frozen=True, eq=False)
 class ShadowMap:
-    """The sun's share on level ground, (rows, columns), row 0 in the north, about the eye's foot."""
+    """The sun's share on level ground, 0-1, (rows, columns), row 0 in the north, about the eye's foot.
+
+    >>> import skydome as sd
+    >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=50 * sd.deg)
+    >>> shadows = ShadowMap.of(CloudField(cover=0.4, seed=7), sun, count=64)
+    >>> bool(0.3 < shadows.share.mean() < 0.8)
+    True
+    """
 
     share: np.ndarray
     spacing: float
@@ -60,14 +67,7 @@ class ShadowMap:
 
     @classmethod
     def of(cls, field: CloudField, sun: Any, width: float = 16_000.0, count: int = 256) -> Self:
-        """Of a square `width` m wide of `count` places a side, with the eye's foot in its middle.
-
-        >>> import skydome as sd
-        >>> sun = sd.direction(azimuth=180 * sd.deg, elevation=50 * sd.deg)
-        >>> shadows = ShadowMap.of(CloudField(cover=0.4, seed=7), sun, count=64)
-        >>> bool(0.3 < shadows.share.mean() < 0.8)
-        True
-        """
+        """Of a square `width` m wide of `count` places a side, with the eye's foot in its middle."""
         require("width", width, Range(1.0, 1e6, "m"))
         require("count", count, Range(1, 1 << 13))
         along = ((np.arange(count) + 0.5) / count - 0.5) * width

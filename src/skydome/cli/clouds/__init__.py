@@ -1,0 +1,8 @@
+"""Clouds at the command line.
+
+- options  What the commands ask for about clouds
+- kinds    The kinds of cloud by name
+- scene    The sky with clouds that the options ask for
+
+`--clouds cumulus` with a cover, or with the light that was measured.
+"""
