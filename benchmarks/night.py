@@ -1,4 +1,7 @@
-"""Light through dusk against published tables, and what the night costs: python benchmarks/night.py light | speed."""
+"""Light through dusk against published tables, and what the night costs.
+
+python benchmarks/night.py light | tracer | speed | first
+"""
 
 import sys
 import time
@@ -6,6 +9,8 @@ import time
 import numpy as np
 
 import skydome as sd
+from skydome.ground.quadrature import hemisphere
+from skydome.light.spectrum import xyz_weights
 
 PLACE, NEW_MOON = sd.Place(50.0, 8.0), np.datetime64("2026-04-16T17:00")
 
@@ -43,6 +48,25 @@ def light() -> None:
         print(f"{name}: zenith {float(sd.surface_magnitude(whole.luminance(sd.ZENITH))):.2f} mag arcsec-2")
 
 
+def tracer() -> None:
+    """Light of civil twilight on the level by the path tracer and by the physical sky, over the table's."""
+    views, angles = hemisphere(10, 12)
+    bands = np.arange(420.0, 681.0, 20.0)
+    luminous = xyz_weights(bands)[:, 1]
+    for elevation in (-1.0, -2.5, -4.0, -6.0):
+        sun, wanted = sd.direction(0.0, elevation * sd.deg), seidelmann(elevation)
+        for depth in (0.006, 0.0):
+            air = sd.clear_air(stratospheric_depth=depth)
+            traced = [
+                sd.PathTraced(sun, air, refraction=bent).job(views, bands).start().more(60).radiance
+                for bent in (False, True)
+            ]
+            light = [*traced, sd.PhysicalSky(sun, air).radiance(views, bands)]
+            level = [float((angles * views[:, 2]) @ one @ luminous) / wanted for one in light]
+            told = zip(("straight rays", "bent", "the physical sky"), level, strict=True)
+            print(f"{elevation:5.1f}, stratosphere {depth:g}:", ", ".join(f"{name} {x:.2f}" for name, x in told))
+
+
 def speed() -> None:
     """CPU seconds; the first call of a new process is `python benchmarks/night.py first`."""
     quarters = np.datetime64("2026-01-18T12:00") + np.arange(96) * np.timedelta64(15, "m")
@@ -64,4 +88,4 @@ def first() -> None:
 
 
 if __name__ == "__main__":
-    {"light": light, "speed": speed, "first": first}[sys.argv[1]]()
+    {"light": light, "tracer": tracer, "speed": speed, "first": first}[sys.argv[1]]()

@@ -23,7 +23,7 @@ from skydome.skies.physical.precomputed.tables import LOWEST_SUN
 
 AIR = sd.Atmosphere.standard(aerosol_depth=0.1)
 WAVELENGTHS = np.array([450.0, 550.0, 650.0])
-ELEVATIONS = (60.0, 30.0, 10.0, 3.0, 0.0, -4.0)
+ELEVATIONS = (60.0, 30.0, 10.0, 3.0, 0.0, -4.0, -6.0, -8.0)
 G = 0.76
 
 
@@ -45,7 +45,7 @@ def ground():
     psi, views = sd.MultipleScatteringTable.of(AIR, WAVELENGTHS), views_above()
     for elevation in ELEVATIONS:
         sun = sd.direction(0.0, elevation * sd.deg)
-        sky = sd.PathTraced(sun, AIR, relative_error=0.003 if elevation > -1 else 0.01)
+        sky = sd.PathTraced(sun, AIR, relative_error=0.004 if elevation > -1 else 0.01, refraction=False)
         tracing = sky.job(views, WAVELENGTHS).start().until(sky.relative_error)
         skies = {
             "tables": sd.PrecomputedScattering.by(tables, sun),

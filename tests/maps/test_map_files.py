@@ -1,6 +1,7 @@
 """Maps as files: units, place, time and provenance come back; bad files and failed writing leave one clear line."""
 
 import os
+import tracemalloc
 from datetime import datetime, timedelta, timezone
 
 import numpy as np
@@ -373,3 +374,19 @@ def test_light_below_zero_is_told_or_refused(tmp_path):
     with pytest.warns(UserWarning, match="50.00% of the texels have light below 0, black in half.hdr"):
         EnvironmentMap(pixels).save(tmp_path / "half.hdr")
     EnvironmentMap(np.zeros_like(pixels)).save(tmp_path / "night.exr")
+
+
+@pytest.mark.parametrize(
+    ("name", "choices", "most"),
+    [("a.exr", {}, 0.2), ("a.exr", {"half": True}, 0.7), ("a.hdr", {}, 0.5), ("a.png", {}, 0.9)],
+)
+def test_a_map_is_written_some_rows_at_a_time(tmp_path, name, choices, most):
+    """In its own memory: half floats and bytes are a half and a quarter of it, the rest a sixteenth a few times."""
+    rows = np.random.default_rng(3).random((1024, 1, 3), dtype=np.float32) - np.float32(0.02)
+    image = EnvironmentMap(np.ascontiguousarray(np.broadcast_to(100 * rows, (1024, 2048, 3))))
+    tracemalloc.start()
+    image.save(tmp_path / name, target="native", in_place=True, **choices)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < most * image.pixels.nbytes
+    assert name.endswith(".png") or image.pixels.min() >= 0  # the gamut's turn is taken in place

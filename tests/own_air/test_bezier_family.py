@@ -60,7 +60,9 @@ def tables():
 def test_the_family_is_within_four_per_cent_over_suns_and_turbidities(tables):
     assert tables.control.shape == (3, 2, 6, 2, 10)
     assert rms(tables.error) < 0.04
-    assert tables.error[:2].max() < 0.042  # turbidity 2 and 3, each albedo and wavelength by itself
+    assert (
+        tables.error[:2].max() < 0.0405
+    )  # turbidity 2 and 3, each albedo and wavelength: .0401 is what nine numbers miss
     own = SkyFamily.of(physical, (3.0,), (0.0, 1.0), W)
     np.testing.assert_allclose(np.sqrt((away(tables, own) ** 2).mean(axis=2))[0], tables.error[1], rtol=1e-6)
 

@@ -122,14 +122,17 @@ class FileOptions:
 
 
 def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options: FileOptions) -> dict[str, Any]:
-    """What was written: its size, where the renderer has north, its colours and unit, and notes on them."""
+    """What is to be written: its size, where the renderer has north, its colours and unit, and notes on them.
+
+    To be asked before the file is written, which may take the picture's own memory; `with_bytes` when it is there.
+    """
     from skydome.maps.files import file_white, space_in_file
 
     rows, columns, _ = picture.pixels.shape
     suffix, space = path.suffix.lower(), space_in_file(picture, path, layout)
     return {
         "file": str(path),
-        "bytes": path.stat().st_size,
+        "bytes": 0,
         "height": rows,
         "width": columns,
         "target": layout.name,
@@ -142,14 +145,19 @@ def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options:
     }
 
 
+def with_bytes(facts: dict[str, Any]) -> dict[str, Any]:
+    """The facts of a file that is there now."""
+    return facts | {"bytes": Path(facts["file"]).stat().st_size}
+
+
 def colour_notes(picture: "EnvironmentMap", space: Any, gamut: str) -> list[str]:
     """What became of the map's colours on their way into a file in that RGB space."""
-    from skydome.light.gamut import outside
+    from skydome.light.gamut import count_outside
 
     notes = []
     if space != picture.space:
         notes.append(f"space: turned from {picture.space.name} into {space.name}, the one that the target reads")
-    count = int(outside(picture.in_space(space).pixels).sum())
+    count = count_outside(picture.pixels, picture.matrix_to(space))
     if count and gamut == "none":
         notes.append(f"gamut: {count:,} texels have negative parts, colours outside {space.name} (--gamut none)")
     elif count:

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.map_file import FileOptions, file_facts, file_rows
+from skydome.cli.map_file import FileOptions, file_facts, file_rows, with_bytes
 from skydome.cli.numbers_of_light import amount, light_facts, light_rows, notes_row
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
@@ -74,13 +74,13 @@ class MapOrder:
         """Make it: the facts of the light and of the file."""
         scene = scene_of(self.options, self.north, any_hour=True)
         picture = self.file.seen(self.picture(scene))
+        written = file_facts(self.output, picture, self.layout, self.file)
         if self.beside is None:
-            picture.save(self.output, **self.file.choices)
+            picture.save(self.output, **self.file.choices, in_place=True)
             more: dict[str, Any] = {}
         else:
             more = self.scene_facts(scene, picture, self.beside)
-        written = file_facts(self.output, picture, self.layout, self.file)
-        facts = light_facts(scene)
+        written, facts = with_bytes(written), light_facts(scene)
         turned = {"north_deg": self.north} if self.north else {}
         return facts | written | turned | more | {"notes": facts["notes"] + written["notes"]}
 

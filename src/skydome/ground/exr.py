@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arguments import require_file
+from skydome.ground.limits.sizes import row_parts
 from skydome.ground.writing import appearing
 
 ONE_AT_A_TIME = Lock()
@@ -28,6 +29,7 @@ def write(
     header: Mapping[str, Any] | None = None,
     half: bool = False,
     latlong: bool = False,
+    factor: float = 1.0,
 ) -> None:
     """Write `channels` to an OpenEXR file, ZIP-compressed, float32 or (with `half`) float16; atomically.
 
@@ -35,13 +37,14 @@ def write(
     `header`: standard attributes by OpenEXR's names (chromaticities, eight floats R G B W; whiteLuminance, cd m-2 of
     RGB (1, 1, 1); longitude and latitude, degrees, east and north positive; altitude, m; utcOffset, seconds, UTC =
     local + utcOffset; capDate, local "YYYY:MM:DD hh:mm:ss"; comments) and any others, each a str or a number.
+    Light is written times a `factor`.
     `latlong` marks the map as OpenEXR's latitude-longitude environment map (ImfEnvmap.h), with texel centres here.
     ValueError where a value is NaN, light is not finite or, with `half`, beyond 65504: half floats would make it
     infinite.
     """
     import OpenEXR
 
-    require_storable(channels, half)
+    require_storable(channels, half, factor)
     attributes = {
         name: value if isinstance(value, str | tuple) else float(value) for name, value in (header or {}).items()
     }
@@ -49,7 +52,7 @@ def write(
     if latlong:
         attributes["envmap"] = OpenEXR.ENVMAP_LATLONG
     kind = np.float16 if half else np.float32
-    stored = {name: np.ascontiguousarray(pixels, dtype=kind) for name, pixels in channels.items()}
+    stored = {name: as_stored(pixels, kind, 1.0 if name == "Z" else factor) for name, pixels in channels.items()}
     with appearing(path) as beside:
         try:
             OpenEXR.File(attributes, stored).write(str(beside))
@@ -57,11 +60,21 @@ def write(
             raise OSError(f"cannot write {path}: {error}") from error
 
 
-def require_storable(channels: Mapping[str, np.ndarray], half: bool) -> None:
+def as_stored(pixels: np.ndarray, kind: Any, factor: float) -> np.ndarray:
+    """Pixels times a factor as the file has them: themselves where nothing changes, else made some rows at a time."""
+    if factor == 1 and pixels.dtype == kind:
+        return np.ascontiguousarray(pixels)
+    stored, scale = np.empty(pixels.shape, kind), pixels.dtype.type(factor)
+    for part in row_parts(len(pixels)):
+        stored[part] = pixels[part] * scale
+    return stored
+
+
+def require_storable(channels: Mapping[str, np.ndarray], half: bool, factor: float = 1.0) -> None:
     """ValueError where a channel holds NaN, or light beyond what the file's numbers can say."""
     largest = HALF_MAXIMUM if half else float(np.finfo(np.float32).max)
     for name, pixels in channels.items():
-        peak = float(max(np.max(pixels, initial=0.0), -np.min(pixels, initial=0.0)))  # no copy of a large map
+        peak = factor * float(max(np.max(pixels, initial=0.0), -np.min(pixels, initial=0.0)))  # no copy of a large map
         if math.isnan(peak) or (math.isinf(peak) and name != "Z"):
             raise ValueError("pixels must be finite to be written, got NaN or infinity")
         if peak > largest and name != "Z":

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arguments import require_file
+from skydome.ground.limits.sizes import row_parts
 from skydome.ground.writing import appearing
 
 MAX_BYTES = 1 << 31
@@ -26,8 +27,10 @@ GOES_ON = "+"
 """Ends the name of a line whose value goes on from the line before."""
 
 
-def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, Any] | None = None) -> None:
-    """Write RGB (H, W, 3) to a Radiance picture, atomically; parts below 0 become 0, a byte holds 1 part in 256.
+def write(
+    path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, Any] | None = None, factor: float = 1.0
+) -> None:
+    """Write RGB (H, W, 3) times a factor to a Radiance picture, atomically; below 0 is 0, a byte holds 1 part in 256.
 
     In Radiance a value is W m-2 sr-1 per channel after division by the header's EXPOSURE, in the primaries of the
     PRIMARIES line; white of value 1 has 179 cd m-2. `header`: lines `name=value` (EXPOSURE, PRIMARIES, others).
@@ -36,10 +39,15 @@ def write(path: str | PathLike[str], pixels: np.ndarray, header: Mapping[str, An
     rows, columns = pixels.shape[:2]
     lines = ["#?RADIANCE", *(line for name, value in (header or {}).items() for line in folded(name, one_line(value)))]
     lines += ["FORMAT=32-bit_rle_rgbe", "", f"-Y {rows} +X {columns}", ""]
-    scanlines = literal_runs(encode_rgbe(pixels))
     with appearing(path) as beside, beside.open("wb") as file:
         file.write("\n".join(lines).encode("utf-8"))
-        file.write(scanlines.tobytes())
+        for part in row_parts(rows):
+            file.write(literal_runs(encode_rgbe(times(pixels[part], factor))).tobytes())
+
+
+def times(pixels: np.ndarray, factor: float) -> np.ndarray:
+    """Pixels times a number, in their own dtype; themselves for 1."""
+    return pixels if factor == 1 else pixels * pixels.dtype.type(factor)
 
 
 def one_line(value: object) -> str:

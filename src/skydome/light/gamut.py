@@ -2,16 +2,24 @@
 
 import numpy as np
 
+from skydome.ground.limits.sizes import row_parts
 from skydome.light.colour import RGBSpace
-
-ROWS = 64
-"""Of a map that are looked at together: little memory beside the map's."""
 
 
 def outside(rgb: np.ndarray) -> np.ndarray:
     """True where a colour (..., 3) lies outside its space: a part is below 0; boolean (...,)."""
     low: np.ndarray = rgb.min(axis=-1) < 0
     return low
+
+
+def count_outside(rgb: np.ndarray, matrix: np.ndarray | None = None) -> int:
+    """How many colours of a picture (H, W, 3) lie outside their space, or that to which a matrix (3, 3) leads.
+
+    >>> count_outside(np.array([[[1.0, 1.0, 1.0], [0.5, -0.5, 0.5]]]))
+    1
+    """
+    each = (rgb[part] if matrix is None else rgb[part] @ matrix for part in row_parts(len(rgb)))
+    return sum(int(outside(colours).sum()) for colours in each)
 
 
 def share_below_black(rgb: np.ndarray, space: RGBSpace) -> float:
@@ -23,13 +31,13 @@ def share_below_black(rgb: np.ndarray, space: RGBSpace) -> float:
     """
     weights, below = space.to_xyz[1], 0
     rounding = 1e-6 * max(float(rgb.max(initial=0.0)), -float(rgb.min(initial=0.0)))
-    for k in range(0, len(rgb), ROWS):
-        below += int((rgb[k : k + ROWS] @ weights < -rounding).sum()) if rgb[k : k + ROWS].min() < -rounding else 0
+    for part in row_parts(len(rgb)):
+        below += int((rgb[part] @ weights < -rounding).sum()) if rgb[part].min() < -rounding else 0
     return float(below / (rgb.shape[0] * rgb.shape[1]))
 
 
-def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
-    """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none, else a copy.
+def within_gamut(rgb: np.ndarray, space: RGBSpace, in_place: bool = False) -> np.ndarray:
+    """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none or `in_place`, else a copy.
 
     A colour moves along the straight line to the white of its own luminance, to where its lowest part is 0: luminance
     stays, and so does the dominant wavelength, which is such a line in CIE x, y. Black where the luminance is not
@@ -40,12 +48,11 @@ def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
     >>> float(seen.min()), bool(np.isclose(seen @ SRGB.to_xyz[1], [2.0, 1.0, -0.5] @ SRGB.to_xyz[1]))
     (0.0, True)
     """
-    parts = [slice(k, k + ROWS) for k in range(0, len(rgb), ROWS)] if rgb.ndim > 2 else [slice(None)]
     result = rgb
-    for part in parts:
+    for part in row_parts(len(rgb)) if rgb.ndim > 2 else [slice(None)]:
         low = outside(rgb[part])
         if low.any():
-            result = rgb.copy() if result is rgb else result
+            result = rgb.copy() if result is rgb and not in_place else result
             result[part][low] = moved(rgb[part][low].astype(np.float64), space)
     return result
 

@@ -12,14 +12,15 @@ import numpy as np
 from skydome.ground import exr, hdr, png
 from skydome.ground.arguments import require_path
 from skydome.ground.limits.ranges import Range, require
+from skydome.ground.limits.sizes import row_parts
 from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.gamut import within_gamut
+from skydome.light.gamut import count_outside, within_gamut
 from skydome.light.tone import Curve
 from skydome.maps.equirectangular import Equirectangular
 from skydome.maps.pixels import MapPixels
 from skydome.maps.projection import Projection
-from skydome.maps.showing.preview import preview
+from skydome.maps.showing.preview import preview_in_bytes
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
 
@@ -48,6 +49,7 @@ def save(
     curve: Curve | None = None,
     white_luminance: float | None = None,
     gamut: Gamut = "white",
+    in_place: bool = False,
 ) -> None:
     """Write a map to `path` (.exr, .hdr or .png), atomically, in the layout of a renderer where `target` names one.
 
@@ -56,7 +58,8 @@ def save(
     EXPOSURE 1; with `white_luminance` values are cd m-2 over it, and EXPOSURE says so. Targets that keep half floats
     alone (three) get them, at that scale. Colours outside the RGB space move toward white, luminance kept;
     `gamut="none"` writes them as they are (.hdr then cuts at 0). Targets that read one space get it. .png: a preview
-    with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size.
+    with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size. `in_place`: the map's
+    own pixels may be overwritten, so that a large one needs no second.
     """
     suffix = require_path(path, "a map").suffix.lower()
     layout = None if target is None else target_named(target)
@@ -66,9 +69,9 @@ def save(
     if suffix != ".exr" or gamut != "none":
         environment.tell_of_negative_light(Path(path).name)
     if suffix == ".png":
-        png.write(path, preview(environment, exposure, curve), provenance(environment, layout))
+        png.write(path, preview_in_bytes(environment, exposure, curve), provenance(environment, layout))
         return
-    environment = in_its_colours(environment, space_in_file(environment, path, layout), gamut)
+    environment = in_its_colours(environment, space_in_file(environment, path, layout), gamut, in_place)
     notes = provenance(environment, layout)
     white = file_white(environment, path, layout, half, white_luminance) or environment.white_luminance
     require("white luminance", white, WHITE_IN_FILE)
@@ -125,14 +128,12 @@ def require_choices(
         require("white luminance", white_luminance, WHITE_IN_FILE)
 
 
-def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut) -> MapPixels:
+def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut, in_place: bool) -> MapPixels:
     """The map in that RGB space, its colours within the space unless `gamut` is "none"."""
-    environment = environment.in_space(space)
-    if gamut == "none":
+    environment = environment.in_space(space, in_place)
+    if gamut == "none" or not count_outside(environment.pixels):
         return environment
-    pixels = within_gamut(environment.pixels, environment.space)
-    if pixels is environment.pixels:
-        return environment
+    pixels = within_gamut(environment.pixels, environment.space, in_place)
     return replace(environment, pixels=pixels, metadata={**environment.metadata, "gamut": MOVED})
 
 
@@ -140,9 +141,9 @@ def save_exr(
     environment: MapPixels, path: str | PathLike[str], half: bool, white: float, notes: dict[str, Any]
 ) -> None:
     """OpenEXR, float or half, with place, time, unit and primaries in their own attributes."""
-    pixels = scaled(environment, white)
+    factor = environment.white_luminance / white
     if half:
-        require_half(pixels, white)
+        require_half(environment.pixels, white, factor)
     header = {
         **light_unit(environment.space, white),
         "comments": f"RGB times {white:g} is luminance in cd m-2 (Y); texel centres.",
@@ -151,26 +152,23 @@ def save_exr(
         **notes,
     }
     seen_from_inside = isinstance(environment.projection, Equirectangular) and not environment.projection.mirrored
-    exr.write(path, {"RGB": pixels}, header, half, latlong=seen_from_inside)
+    exr.write(path, {"RGB": environment.pixels}, header, half, latlong=seen_from_inside, factor=factor)
 
 
-def scaled(environment: MapPixels, white: float) -> np.ndarray:
-    """The pixels in the unit in which (1, 1, 1) means `white` cd m-2."""
-    factor = environment.white_luminance / white
-    return environment.pixels if factor == 1 else environment.pixels * environment.pixels.dtype.type(factor)
-
-
-def require_half(pixels: np.ndarray, white: float) -> None:
-    """ValueError where half floats in that unit would end below the light, or be too coarse for most of it."""
-    size = np.abs(pixels)
-    peak, total = float(size.max(initial=0.0)), float(size.sum(dtype=np.float64))
+def require_half(pixels: np.ndarray, white: float, factor: float) -> None:
+    """ValueError where half floats end below the light, pixels times a factor, or are too coarse for most of it."""
+    peak = factor * float(max(pixels.max(initial=0.0), -pixels.min(initial=0.0)))
     if peak > exr.HALF_MAXIMUM:
         least = half_white(peak * white)
         raise ValueError(
             f"half floats end at {exr.HALF_MAXIMUM:g}, got {peak:g} at a white luminance of {white:g} cd m-2; "
             f"{least:g} holds it"
         )
-    lost = float(np.abs(pixels.astype(np.float16) - pixels.astype(np.float64)).sum())
+    total, lost = 0.0, 0.0
+    for part in row_parts(len(pixels)):
+        light = pixels[part] * pixels.dtype.type(factor)
+        total += float(np.abs(light).sum(dtype=np.float64))
+        lost += float(np.abs(light.astype(np.float16) - light.astype(np.float64)).sum())
     if lost > COARSE * total:
         best = half_white(peak * white)
         raise ValueError(
@@ -193,7 +191,7 @@ def save_hdr(environment: MapPixels, path: str | PathLike[str], white: float, no
     primaries = " ".join(f"{value:.4f}" for value in environment.space.chromaticities)
     place = {name: environment.metadata[name] for name in (*PLACE, "time") if name in environment.metadata}
     header = {"SOFTWARE": "skydome", "EXPOSURE": RADIANCE_EFFICACY / white, "PRIMARIES": primaries, **place, **notes}
-    hdr.write(path, scaled(environment, white), header)
+    hdr.write(path, environment.pixels, header, environment.white_luminance / white)
 
 
 def light_unit(space: RGBSpace, white_luminance: float = 1.0) -> dict[str, Any]:

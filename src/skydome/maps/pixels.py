@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from skydome.ground.limits.ranges import Bounded, Range
+from skydome.ground.limits.sizes import row_parts
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.light.gamut import share_below_black
 from skydome.maps.equirectangular import Equirectangular
@@ -68,15 +69,28 @@ class MapPixels(Bounded):
                 f"{share:.2%} of the texels have light below 0, black in {name}; {kept} keeps it", stacklevel=4
             )
 
-    def in_space(self, space: RGBSpace) -> Self:
-        """The same light in another RGB space; itself where it is in that one."""
-        if space == self.space:
+    def matrix_to(self, space: RGBSpace) -> np.ndarray | None:
+        """What pixels are multiplied by to be in another RGB space, (3, 3); None where they are in that one."""
+        same = space == self.space
+        return None if same else (self.space.to_xyz.T @ space.from_xyz.T).astype(self.pixels.dtype)
+
+    def in_space(self, space: RGBSpace, in_place: bool = False) -> Self:
+        """The same light in another RGB space; itself where it is in that one. `in_place` overwrites the pixels."""
+        matrix = self.matrix_to(space)
+        if matrix is None:
             return self
-        matrix = (self.space.to_xyz.T @ space.from_xyz.T).astype(self.pixels.dtype)
-        return replace(self, pixels=self.pixels @ matrix, space=space)
+        pixels = self.pixels if in_place else np.empty_like(self.pixels)
+        for part in row_parts(self.height):
+            pixels[part] = self.pixels[part] @ matrix
+        return replace(self, pixels=pixels, space=space)
 
     def resampled(self, projection: Projection, height: int | None = None) -> Self:
-        """The map in another layout and height (default: texels of about the same size), light conserved."""
+        """The map in another layout and height (default: texels of about the same size), light conserved.
+
+        Itself in its own.
+        """
+        if projection == self.projection and height in (None, self.height):
+            return self
         return replace(
             self,
             pixels=resample(self.pixels, self.projection, projection, height or self.height_in(projection)),

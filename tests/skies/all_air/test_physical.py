@@ -41,8 +41,12 @@ def test_columns_against_the_flat_limit_and_the_quadrature():
     np.testing.assert_allclose(tables.toward(np.array(0.0), np.array(0.05)) @ depths, slanted, rtol=3e-3)
 
 
-@pytest.mark.parametrize(("elevation", "rtol"), [(60.0, 2e-3), (5.0, 4e-3), (-1.0, 2e-2), (-4.0, 6e-2)])
-def test_light_scattered_once_is_that_of_the_solvers(elevation, rtol):
+@pytest.mark.parametrize(("elevation", "afterglow"), [(60.0, 2e-3), (5.0, 2.5e-3), (-1.0, 8e-3), (-4.0, 3.6e-2)])
+def test_light_scattered_once_is_that_of_the_solvers(elevation, afterglow):
+    """Within 0.6 % toward all but the low sky over a sun that has set, where the earth's shadow leaves few nodes lit.
+
+    Measured there at -4 degrees: 3.4 % at 2 degrees of height, 1.3 % at 10. The solver is within 0.3 % of 2,000 steps.
+    """
     air, sun = sd.Atmosphere.standard(), sun_at(elevation)
     found = lit_rays(ColumnTables.of(air, refractivity=0.0), *cosines(sun, VIEWS)).strengths(
         [part.depth(WAVELENGTHS) for part in air.constituents]
@@ -55,7 +59,9 @@ def test_light_scattered_once_is_that_of_the_solvers(elevation, rtol):
     peer = scattered_once(ColumnTable.of(air, 300, 300), start, VIEWS, sun, WAVELENGTHS)
     bright = peer > 0.02 * peer.max(axis=0)
     assert bright.sum() > 20
-    np.testing.assert_allclose(once[bright], peer[bright], rtol=rtol)
+    glows = (VIEWS @ sun_at(0.0) > 0.9) & (VIEWS[:, 2] < 0.2)
+    allowed = np.where(glows, afterglow, min(afterglow, 6e-3))[:, None] * peer
+    assert (abs(once - peer) < allowed)[bright].all()
 
 
 def test_taps_are_cubics_and_cosines():

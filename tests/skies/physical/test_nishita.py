@@ -57,10 +57,15 @@ def test_single_scattering_against_plain_quadrature(elevation):
         )  # at half a degree the blue is e-13 of sunlight
 
 
-def test_twilight_by_plain_quadrature_and_falling_with_the_sun():
-    view = sd.direction(np.pi, 20 * sd.deg)
+@pytest.mark.parametrize("height", [20.0, 2.0])
+def test_twilight_by_plain_quadrature(height):
+    """Measured 0.4 and 0.35 %: the earth's shadow ends somewhere between two of 128 samples."""
+    view = sd.direction(np.pi, height * sd.deg)
     got = Nishita93(sun_at(-4.0), AIR).radiance(view, W)
-    np.testing.assert_allclose(got, plain_single_scattering(AIR, sun_at(-4.0), view, W, 4000), rtol=0.04)
+    np.testing.assert_allclose(got, plain_single_scattering(AIR, sun_at(-4.0), view, W, 1000), rtol=5e-3)
+
+
+def test_twilight_falls_with_the_sun():
     zenith = [float(Nishita93(sun_at(e), AIR).radiance(sd.ZENITH, [550.0])[0]) for e in (5.0, 0.0, -3.0, -6.0, -9.0)]
     assert all(a > 2 * b > 0 for a, b in pairwise(zenith))
 

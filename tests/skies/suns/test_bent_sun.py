@@ -15,7 +15,7 @@ def test_high_suns_are_those_of_straight_rays():
     air, sun = sd.clear_air(), sd.direction(1.0, 50 * sd.deg)
     bent, straight = sd.SunDisc.of(sd.PhysicalSky(sun, air)), sd.AtmosphereSun(sun, air)
     assert isinstance(bent, BentSun)
-    np.testing.assert_allclose(bent.normal_xyz, straight.normal_xyz, rtol=2e-3)
+    np.testing.assert_allclose(bent.normal_xyz, straight.normal_xyz, rtol=6e-4)  # columns of a table against quadrature
     np.testing.assert_allclose(sd.elevation(bent.sun) / sd.deg, 50.0 + 0.0137, atol=0.002)  # 1.0' cot(50), Bennett
 
 

@@ -6,7 +6,7 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
-from skydome.cli.map_file import FileOptions, file_facts, file_rows
+from skydome.cli.map_file import FileOptions, file_facts, file_rows, with_bytes
 from skydome.cli.numbers_of_light import notes_row
 from skydome.cli.options import AsJson, taking
 from skydome.cli.printing import show
@@ -36,14 +36,15 @@ def convert(
     with progress(f"resampling to {rows} rows"):
         result = picture.resampled(wanted.projection, rows)
         shown = file.seen(result)
-        shown.save(output, **file.choices)
+        written = file_facts(output, shown, wanted, file)
+        before, after = float(picture.illuminance()), float(result.illuminance())
+        shown.save(output, **file.choices, in_place=True)
     found = layout_of(picture.projection)
-    before, after = float(picture.illuminance()), float(result.illuminance())
     facts = {
         "source": str(source),
         "from": layout or (found.name if found else repr(picture.projection)),
         "illuminance_lx": {"source": before, "file": after},
-        **file_facts(output, shown, wanted, file),
+        **with_bytes(written),
     }
     rows_shown = {
         "source": f"{source} ({facts['from']})",

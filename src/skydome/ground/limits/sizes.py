@@ -11,6 +11,20 @@ GRANTED: ContextVar[int] = ContextVar("granted memory", default=4 * GIGABYTE)
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
 
+ROWS = 64
+"""Of a picture that are worked on together: little memory beside the picture's."""
+
+
+def row_parts(rows: int) -> Iterator[slice]:
+    """Slices of a picture's rows, `ROWS` at a time.
+
+    >>> [(part.start, part.stop) for part in row_parts(100)]
+    [(0, 64), (64, 100)]
+    """
+    for start in range(0, rows, ROWS):
+        yield slice(start, min(start + ROWS, rows))
+
+
 @contextmanager
 def granting(size: int) -> Iterator[None]:
     """Within, a piece of work may take so many bytes.

@@ -2,7 +2,7 @@
 
 deviation from the papers | here | why
 two constituents, molecules and aerosol | any `Atmosphere` | ozone and absorbing aerosol come for free
-trapezoid steps in shells (1993) | Gauss nodes that crowd at the eye | 32 nodes give 1e-4
+trapezoid steps in shells (1993) | Gauss nodes that crowd at the eye | 32 nodes give 1e-4 by day
 8 directions about the sun for the second order (1996) | `rings` x 2 `rings` directions of the sphere | 8 leave 5-10 %
 volume of voxels in the sun's frame (1996) | a column of heights at the observer | the day's sky is alike in all places
 ground not named | sunlight that the ground reflects is scattered once more (1996's order two) | albedo is in the air
@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.rays import ColumnTable, Rays, rays
+from skydome.air.rays import NODES, ColumnTable, Rays, rays
 from skydome.ground.arrays import Array
 from skydome.ground.directions import checked_directions
 from skydome.ground.interpolation import weights
@@ -26,6 +26,10 @@ from skydome.skies.physical.discrete_ordinates import across
 from skydome.sun.day import is_day
 
 CHUNK = 2048
+TWILIGHT_NODES = 128
+"""Samples of a ray under a sun that has set, as the earth's shadow ends between two of them: within 0.4 % of 6,000
+steps at -4 degrees, where 32 leave 6 %.
+"""
 RAYS = 512
 """Rays that are followed at a time: what is held of them stays in the processor's cache."""
 HEIGHTS = np.array([0, 0.003, 0.01, 0.02, 0.035, 0.06, 0.1, 0.16, 0.25, 0.4, 0.65, 1.0])
@@ -112,7 +116,8 @@ def scattered_once(
     for start in range(0, len(views), RAYS):
         some = slice(start, start + RAYS)
         cosine = np.clip(views[some] @ sun, -1.0, 1.0)
-        reach = lit_columns(table, rays(table.air, radius[some], views[some, 2]), radius[some], sun[2], cosine, depths)
+        path = rays(table.air, radius[some], views[some, 2], NODES if sun[2] >= 0 else TWILIGHT_NODES)
+        reach = lit_columns(table, path, radius[some], sun[2], cosine, depths)
         for k, part in enumerate(parts):
             scattering = depths[k] * part.scattered(wavelengths)
             if scattering.any():

@@ -8,7 +8,7 @@ import pytest
 import skydome as sd
 from skydome.air.phase_laws import HenyeyGreenstein, Rayleigh
 from skydome.skies.physical.nishita import Nishita93
-from skydome.skies.physical.precomputed.convolution import convolved, turns
+from skydome.skies.physical.precomputed.convolution import convolved, ring_cosines, turns
 from skydome.skies.physical.precomputed.grid import SMALL, Sizes
 from skydome.skies.physical.precomputed.medium import phases_of
 
@@ -50,6 +50,17 @@ def test_even_light_is_given_off_as_it_came():
     turn = turns(views, np.array([0.0, 0.5, 1.0]), np.linspace(-1, 1, 4))
     made = convolved(comes, phases_of(laws, np.array([550.0]), 32), cosines[0], views, turn)
     np.testing.assert_allclose(made, 1.0, rtol=2e-3)
+
+
+def test_rings_see_a_belt_of_light_at_the_horizon(tables):
+    """In twilight all light comes from it: the belt exp(-(c - horizon) / .01), whose integral is known."""
+    orders = replace(tables.orders, sizes=Sizes())
+    cosines, weights, _ = orders.sphere
+    radius = orders.shell.bottom + 10_000.0
+    rings, low = ring_cosines(orders.shell, radius, cosines), -float(orders.shell.rho(radius)) / radius
+    above, below = rings[: len(cosines)] - low, low - rings[len(cosines) :]
+    assert (1 - low) * weights @ np.exp(-above / 0.01) == pytest.approx(0.01, rel=2e-3)
+    assert (1 + low) * weights @ np.exp(-below / 0.01) == pytest.approx(0.01, rel=2e-3)
 
 
 def test_light_scattered_once_is_that_by_quadrature():

@@ -9,7 +9,7 @@ from skydome.skies.physical.precomputed.grid import Shell
 def ring_cosines(shell: Shell, r: float, cosines: np.ndarray) -> np.ndarray:
     """Cosines of the rings about a radius: first those above the horizon, then those that meet the ground, (Q,)."""
     low = -float(shell.rho(r)) / r
-    return np.concatenate([low + (1 - low) * cosines, -1 + (1 + low) * cosines])
+    return np.concatenate([low + (1 - low) * cosines, low - (1 + low) * cosines])
 
 
 def turns(views: np.ndarray, suns: np.ndarray, angles: np.ndarray) -> Array:

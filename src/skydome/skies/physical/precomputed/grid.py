@@ -25,11 +25,11 @@ class Sizes:
 
     heights: int = 24
     views: int = 96
-    suns: int = 48
+    suns: int = 64
     angles: int = 12
     transmittance: tuple[int, int] = (64, 256)
     irradiance: tuple[int, int] = (16, 64)
-    directions: int = 32
+    directions: int = 48
     samples: int = 32
 
     def __post_init__(self) -> None:
@@ -43,7 +43,7 @@ PUBLISHED = Sizes(32, 128, 32, 8)
 """The texels of Bruneton's demo and three-geospatial."""
 SMALL = Sizes(12, 24, 24, 6, (32, 64), (4, 32), 16, 16)
 """For a first look, in a second: errors of 3 % by day and a quarter at -4 degrees."""
-MIDDLE = Sizes(16, 48, 40, 8, directions=24, samples=24)
+MIDDLE = Sizes(16, 48, 40, 8, directions=32, samples=24)
 """For a picture."""
 
 

@@ -162,6 +162,7 @@ class Hillaire(TabledSky):
 
     table: MultipleScatteringTable | None = None
     kinds: ClassVar = {"table": (MultipleScatteringTable | None, "MultipleScatteringTable.of(atmosphere, wavelengths)")}
+    lowest_sun: ClassVar[float] = -4.0
     source: ClassVar[str] = "Hillaire 2020, eq. 1-11"
 
     def __post_init__(self) -> None:

@@ -12,6 +12,8 @@ from skydome.skies.physical.precomputed.convolution import convolved, ring_cosin
 from skydome.skies.physical.precomputed.grid import Shell, Sizes, views
 from skydome.skies.physical.precomputed.medium import Medium
 
+CROWDING = 2
+"""Power by which the rings of directions crowd at the horizon, where all light of a twilight comes from."""
 STEADY = 0.9
 """Most of an order that the next may be where the series is closed."""
 
@@ -39,7 +41,8 @@ class Orders:
     @property
     def sphere(self) -> tuple[np.ndarray, np.ndarray, int]:
         """Cosines of the rings of half a sphere, their weights, and half the columns."""
-        return (*gauss_legendre(self.sizes.directions // 4), self.sizes.directions // 2)
+        t, w = gauss_legendre(self.sizes.directions // 4)
+        return t**CROWDING, CROWDING * t ** (CROWDING - 1) * w, self.sizes.directions // 2
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -118,7 +118,7 @@ def ring(q, r, cosines, weights, air):
     half, low = cosines.size, -horizon(r, air) / r
     if q < half:
         return low + (1.0 - low) * cosines[q], (1.0 - low) * weights[q]
-    return -1.0 + (1.0 + low) * cosines[q - half], (1.0 + low) * weights[q - half]
+    return low - (1.0 + low) * cosines[q - half], (1.0 + low) * weights[q - half]
 
 
 @compiled

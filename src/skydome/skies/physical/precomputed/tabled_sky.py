@@ -50,7 +50,7 @@ class TabledSky(AtmosphereSky):
 
     height: float = 0.0
     bounds: ClassVar = {"height": Range(0.0, 1e9, "m")}
-    lowest_sun: ClassVar[float] = -6.0
+    lowest_sun: ClassVar[float] = -8.0
     quick_to_see: ClassVar[bool] = False
 
     @property
