@@ -1,5 +1,7 @@
-"""Draws fields of cloud, docs/figures/clouds.png: each kind at noon, at 15 degrees and at sunset; and the hours of a day
-whose light is a weather file's, docs/figures/clouds_day.png (with the file as argument)."""
+"""Draws fields of cloud, docs/figures/clouds.png: each kind at noon, at 15 degrees and at sunset.
+
+With a weather file as argument, the hours of a day whose light is the file's, docs/figures/clouds_day.png.
+"""
 
 import sys
 
@@ -48,7 +50,9 @@ def kinds() -> None:
         for high in SUNS:
             clear = sd.PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=high * sd.deg))
             sky = sd.CloudySky(clear, sd.CloudField(kind, cover, seed=seed))
-            rows[-1].append((f"{type(kind).__name__}, cover {cover:g}, sun {high:g} degrees", strip(sky + sd.SunDisc.of(sky))))
+            rows[-1].append(
+                (f"{type(kind).__name__}, cover {cover:g}, sun {high:g} degrees", strip(sky + sd.SunDisc.of(sky)))
+            )
     page(rows, "clouds")
 
 
@@ -75,8 +79,7 @@ def day(path: str) -> None:
 
 def weather_day(local: np.ndarray, date: str) -> str:
     """The date in the year that the file has for that month."""
-    found = next(str(t)[:10] for t in local if str(t)[4:10] == date[4:])
-    return found
+    return next(str(t)[:10] for t in local if str(t)[4:10] == date[4:])
 
 
 if __name__ == "__main__":

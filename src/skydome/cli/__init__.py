@@ -15,6 +15,7 @@
 - endings           How a command ends: every error becomes one line on stderr and an exit code
 - printing          Tables and JSON on stdout
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
+- clouds/           Clouds by the options
 - commands/         One command a file
 - night/             What the commands say of the night
 - learning/         Commands that measure, simulate and learn, one a file

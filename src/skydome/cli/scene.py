@@ -53,7 +53,7 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     if asked.clouds is None:
         disc, last = disc_for(model, coloured, moment, options)
     else:
-        coloured, disc, last = with_clouds(coloured, asked)
+        coloured, disc, last = with_clouds(sky, asked)
     disc, size = of_size(disc, options.sun_size)
     notes = haze + notes + dimmed + more + last + size
     overcast = None

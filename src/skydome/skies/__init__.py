@@ -22,4 +22,5 @@
 - path_tracing/      The sky by brute force: paths of light through spherical shells of air
 - suns/              The sun's disc, by its published tables or through a given air
 - clouds/            Clouds: fields of cloud in three dimensions
-- night/             The light of the night: moon, stars, airglow, and all of it together"""
+- night/             The light of the night: moon, stars, airglow, and all of it together
+"""

@@ -14,4 +14,5 @@ def kind_named(name: str) -> "CloudKind":
 
     if name not in NAMES:
         raise ValueError(f"--clouds must be one of {', '.join(NAMES)}, got {name!r}")
-    return dict(zip(NAMES, (Cumulus, Stratocumulus, Altocumulus, Cirrus), strict=True))[name]()
+    made: tuple[CloudKind, ...] = (Cumulus(), Stratocumulus(), Altocumulus(), Cirrus())
+    return made[NAMES.index(name)]

@@ -9,7 +9,6 @@ from skydome.cli.options import SkyOptions
 from skydome.ground.extras import required
 
 if TYPE_CHECKING:
-    from skydome.skies.all_air.sky import PhysicalSky
     from skydome.skies.clouds.fields.field import CloudField
 
 USUAL_COVER = 0.4
@@ -39,8 +38,8 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
     )
 
 
-def with_clouds(clear: "PhysicalSky", options: SkyOptions) -> tuple[Any, Any, list[str]]:
-    """Sky, sun's disc, and what was decided for the user."""
+def with_clouds(clear: Any, options: SkyOptions) -> tuple[Any, Any, list[str]]:
+    """A `clear` physical sky's with clouds, the sun's disc, and what was decided for the user."""
     import skydome as sd
 
     required("numba", "fast", "--clouds")

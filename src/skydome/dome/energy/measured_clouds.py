@@ -119,7 +119,7 @@ def carried(dni: float, dhi: float, clear: Clear, field: CloudField) -> Measured
 def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> np.ndarray:
     """The sun (3,); ValueError for light that no sky has."""
     above = SOLAR_CONSTANT * (1.0 if air is None else air.sun_scale)
-    sun = np.asarray(checked_directions(sun, "sun"), np.float64)
+    sun = np.array(checked_directions(sun, "sun"), np.float64)
     if sun.shape != (3,) or sun[2] < np.sin(np.radians(LOWEST)):
         raise ValueError(f"sun must be one direction, {LOWEST:g} degrees above the horizon or more, got {brief(sun)}")
     for name, value, most in (("dni", dni, above), ("dhi", dhi, above * float(sun[2]))):
@@ -127,7 +127,7 @@ def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> n
         require_one(name, value)
     if dhi < 1:
         raise ValueError(f"dhi must be 1 W m-2 or more while the sun is up, under full cover too, got {dhi:g}")
-    return sun
+    return np.asarray(sun)
 
 
 def finely(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:

@@ -93,7 +93,6 @@ class Cumulus(CloudKind):
     1200.0
     """
 
-
     base: ClassVar[float] = 1200.0
     thickness: ClassVar[float] = 1300.0
     extinction: ClassVar[float] = 0.04
@@ -124,7 +123,6 @@ class Stratocumulus(CloudKind):
     >>> Stratocumulus().base
     900.0
     """
-
 
     base: ClassVar[float] = 900.0
     thickness: ClassVar[float] = 400.0
@@ -157,7 +155,6 @@ class Altocumulus(CloudKind):
     3500.0
     """
 
-
     base: ClassVar[float] = 3500.0
     thickness: ClassVar[float] = 300.0
     extinction: ClassVar[float] = 0.02
@@ -185,7 +182,6 @@ class Cirrus(CloudKind):
     >>> Cirrus().base
     9000.0
     """
-
 
     phase: PhaseLaw = field(default=ICE)
     base: ClassVar[float] = 9000.0
