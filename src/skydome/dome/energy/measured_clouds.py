@@ -32,6 +32,7 @@ SEEN = 1e-3
 """Share of the sun's light below which its disc is not seen."""
 FAINT = 0.05
 """Share of the sun's light below which its disc may stand before cloud that is thicker than that."""
+ROUNDS = 3
 CLOSE = 0.04
 """Part by which the coarse and the fine grid's irradiances may differ."""
 PLACES = 32
@@ -132,16 +133,14 @@ def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> n
 
 def finely(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
     """As `field_for`, looked for once more where the finer grid tells another irradiance."""
-    found = field_for(dhi, share, clear, start)
-    if not found.cover:
-        return found
-    fine = clear.diffuse(found, 2)
-    if abs(fine / dhi - 1) < CLOSE:
-        return found
-    with suppress(ValueError):
-        other = field_for(dhi * clear.diffuse(found) / fine, share, clear, start)
-        if abs(clear.diffuse(other, 2) / dhi - 1) < abs(fine / dhi - 1):
-            return other
+    found, target = field_for(dhi, share, clear, start), dhi
+    for _ in range(ROUNDS if found.cover else 0):
+        part = dhi / clear.diffuse(found, 2)
+        if abs(part - 1) < CLOSE:
+            break
+        target *= part
+        with suppress(ValueError):
+            found = field_for(target, share, clear, start)
     return found
 
 
