@@ -8,6 +8,7 @@ import pytest
 
 import skydome as sd
 from skydome.ground import exr
+from skydome.skies.catalogue import model_named
 
 pytestmark = pytest.mark.slow
 
@@ -45,6 +46,8 @@ def from_command(page, folder, height):
         "?sun=120.5,33.25&model=neural-hosek-wilkie-spectral&albedo=0.4&target=skylibs",
         f"{TURIN}&time=09:10&model=perez-all-weather&dni=640&dhi=95&target=usd",
         f"{TURIN}&time=12:30&model=cie-12&turbidity=2.8",
+        f"{TURIN}&time=10:30&model=perez&letters=-0.9,-0.2,6,-3.5,0.3&lux=15500&turbidity=2.4",
+        f"{TURIN}&time=17:00&model=harrison-coombes&cloud=0.35",
     ],
 )
 def test_a_file_is_what_the_command_writes(opened, tmp_path, query):
@@ -64,7 +67,7 @@ def test_its_python_runs_and_is_the_same_sky(opened, tmp_path, monkeypatch):
     np.testing.assert_allclose(found, wanted, rtol=1e-3)
 
 
-@pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "neural-hosek-wilkie-spectral"])
+@pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")
     code = """text => {
@@ -76,6 +79,16 @@ def test_its_shader_compiles(opened, model):
       return gl.getShaderInfoLog(shader);
     }"""
     assert page.page.evaluate(code, page.ask("explorer.words")["shader"]).strip("\0") == ""
+
+
+def test_the_physical_skys_shader_is_the_librarys_in_every_language(opened):
+    page = opened("?model=physical&sun=200,40&turbidity=3.4&albedo=0.35", viewport={"width": 480, "height": 360})
+    sky = model_named("physical").make(sd.direction(200 * sd.deg, 40 * sd.deg), {"turbidity": 3.4, "albedo": 0.35})
+    words, wanted = page.ask("explorer.words"), sd.shader_numbers(sky)
+    assert words["shader"] == sd.shader(sky, uniforms=True)
+    found = np.array(words["numbers"], np.float32)
+    np.testing.assert_allclose(found[:19], wanted[:19], rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(found, wanted, rtol=2e-2, atol=2e-2 * np.abs(wanted[19:]).reshape(-1, 12).max(0).min())
 
 
 def drag_sun(page, dx, dy):

@@ -93,7 +93,7 @@ export class Card {
   }
 
   private draw({ wavelengths, radiance }: Spectrum): void {
-    const context = this.plot.getContext("2d")!;
+    const context = this.plot.getContext("2d", { willReadFrequently: true })!;
     const { width, height } = this.plot;
     const [low, high] = [wavelengths[0], wavelengths[wavelengths.length - 1]];
     const most = Math.max(...radiance, 1e-12);

@@ -1,7 +1,7 @@
 /** From the page's state to its skies: the sun's place, the models' light, exposure and numbers. */
 
 import { azimuth, DEG, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
-import { modelNamed, MODELS, skyOf, type Model } from "../skies/catalogue";
+import { modelNamed, MODELS, skyOf, type Conditions, type Model } from "../skies/catalogue";
 import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
 import type { Sky } from "../skies/sky";
@@ -33,14 +33,19 @@ export const GREY = 0.18;
 /** Exposure value at ISO 100 of a luminance: log2(L 100 / 12.5). */
 export const EV_PER_LUMINANCE = 8;
 
+/** What the state's skies are made of under a sun. */
+export function conditionsOf(state: State, sun: Vec3, distance: number): Conditions {
+  const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud } = state;
+  return { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud };
+}
+
 /** The scene of a state. */
 export function sceneOf(state: State): Scene {
   const utc = instant(state.date, state.minutes, state.zone);
   const found = sunOver(state, utc);
   const sun = state.sun ? direction(state.sun[0] * DEG, state.sun[1] * DEG) : found.toward;
   const distance = state.sun ? 1 : found.distance;
-  const { turbidity, albedo, dni, dhi, dew } = state;
-  const conditions = { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew };
+  const conditions = conditionsOf(state, sun, distance);
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
@@ -72,10 +77,15 @@ function luminances(sky: Sky): number[] {
 
 /** The luminance, cd m-2, that a photographer would expose for: the sky's logarithmic mean. */
 export function middleLuminance(sky: Sky): number {
+  const known = middles.get(sky);
+  if (known !== undefined) return known;
   const found = luminances(sky);
-  if (!found.length) return 1000;
-  return Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length);
+  const middle = found.length ? Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length) : 1000;
+  middles.set(sky, middle);
+  return middle;
 }
+
+const middles = new WeakMap<Sky, number>();
 
 /** Luminance, cd m-2, below which a picture may look darker: dusk should not look like day. */
 const DUSK = 400;

@@ -22,6 +22,13 @@ export interface State {
   dni: number;
   dhi: number;
   dew: number;
+  letters: number[];
+  lux: number;
+  share: number;
+  clearness: number;
+  cloud: number;
+  /** In what haze is told: turbidity, kilometres that one sees, or the aerosol's optical depth at 550 nm. */
+  haze: "turbidity" | "visibility" | "depth";
   view: "dome" | "panorama";
   /** Azimuth in the middle of the panorama, degrees. */
   look: number;
@@ -44,6 +51,7 @@ export const VERSION = 1;
 export const USUAL: State = {
   model: "hosek-wilkie", beside: "", latitude: 45.07, longitude: 7.687, zone: "Europe/Rome", name: "Turin, Italy",
   date: "2026-06-21", minutes: 18 * 60 + 30, sun: null, turbidity: 3, albedo: 0.2, dni: 700, dhi: 120, dew: 11,
+  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, haze: "turbidity",
   view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, analemma: false,
   target: "native", theme: "", url: "",
 };
@@ -60,8 +68,11 @@ export const TARGETS: Record<string, { left: number; note: string }> = {
 
 export const LIMITS: Record<string, [number, number]> = {
   latitude: [-90, 90], longitude: [-180, 180], turbidity: [1, 10], albedo: [0, 1], dni: [0, 1200], dhi: [0, 800],
-  dew: [-30, 40], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
+  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
 };
+
+/** Limits of Perez's letters, within which his sky is nowhere below 0. */
+export const LETTER_LIMITS: [number, number][] = [[-1, 5], [-2, 0], [0, 30], [-8, 0], [-0.5, 2]];
 
 /** A finite number in its limits, undefined for anything else. */
 function within(name: string, text: string): number | undefined {
@@ -92,7 +103,7 @@ function choice<K extends keyof State>(name: K, allowed: (text: string) => boole
   };
 }
 
-function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "look" | "wipe", digits = 2): Entry {
+function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "look" | "wipe", digits = 2): Entry {
   return {
     key: name,
     read: (text) => {
@@ -161,6 +172,17 @@ export const ENTRIES: Entry[] = [
     write: ({ sun }) => (sun ? sun.map((value) => round(value, 2)).join() : ""),
   },
   numeric("turbidity"), numeric("albedo"), numeric("dni", 1), numeric("dhi", 1), numeric("dew", 1),
+  {
+    key: "letters",
+    read: (text) => {
+      const found = text.split(",").map((part) => (part.trim() === "" ? NaN : Number(part)));
+      const inside = found.length === 5 && found.every((value, k) => value >= LETTER_LIMITS[k][0] && value <= LETTER_LIMITS[k][1]);
+      return inside ? { letters: found } : undefined;
+    },
+    write: ({ letters }) => letters.map((value) => round(value, 3)).join(),
+  },
+  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"),
+  choice("haze", oneOf("turbidity", "visibility", "depth")),
   choice("view", oneOf("dome", "panorama")), numeric("look", 1),
   choice("show", oneOf("photo", "luminance", "difference")),
   {

@@ -35,6 +35,7 @@ export class Renderer {
   private targets: (Target | null)[] = [null, null, null];
   private block: WebGLBuffer | null = null;
   private grid: WebGLTexture | null = null;
+  private linear = false;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, powerPreference: "low-power" });
@@ -53,7 +54,7 @@ export class Renderer {
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
-    gl.getExtension("OES_texture_float_linear");
+    this.linear = gl.getExtension("OES_texture_float_linear") !== null;
     const corners = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, corners);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 3, -1, -1, 3]), gl.STATIC_DRAW);
@@ -101,7 +102,8 @@ export class Renderer {
     const texture = gl.createTexture()!;
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    const smooth = this.linear ? gl.LINEAR : gl.NEAREST;
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, smooth);
     for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
     const framebuffer = gl.createFramebuffer()!;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -120,14 +122,15 @@ export class Renderer {
     gl.uniform3f(this.at(program, "sun"), ...sun);
   }
 
-  /** The sky's XYZ toward every pixel into a float texture. */
-  private light(slot: number, sky: Sky, view: View, width: number, height: number): Target {
+  /** The sky's XYZ toward every pixel into a float texture; below the horizon 0 where `masked`, else as at it. */
+  private light(slot: number, sky: Sky, view: View, width: number, height: number, masked: boolean): Target {
     const { gl } = this;
     const target = this.target(slot, width, height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.viewport(0, 0, width, height);
     const program = this.program(programKey(sky.recipe), () => skyShader(sky.recipe));
     this.useView(program, view, sky.sun);
+    gl.uniform1i(this.at(program, "masked"), Number(masked));
     this.tell(program, sky);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     return target;
@@ -150,34 +153,33 @@ export class Renderer {
       gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.block);
       gl.bufferData(gl.UNIFORM_BUFFER, networkBlock({ ...recipe, toXYZ: lit }), gl.DYNAMIC_DRAW);
       gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Weights"), 0);
+    } else if (recipe.kind === "shaped") {
+      gl.uniform1fv(this.at(program, "n"), recipe.numbers);
+      gl.uniform3fv(this.at(program, "white"), recipe.white.map((value) => dark * recipe.level * value));
     } else this.tellFields(program, recipe, dark);
   }
 
-  private tellFields(program: WebGLProgram, fields: Fields, dark: number): void {
+  private tellFields(program: WebGLProgram, fields: Fields, lit: number): void {
     const { gl } = this;
-    const texels = new Float32Array(ROWS * TURNS * 16);
-    for (let cell = 0; cell < ROWS * TURNS; cell++) {
-      for (let k = 0; k < 4; k++) {
-        for (let c = 0; c < 3; c++) texels[16 * cell + 4 * k + c] = dark * fields.grid[12 * cell + 3 * k + c];
-      }
-    }
     gl.activeTexture(gl.TEXTURE0);
     if (!this.grid) {
       this.grid = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, this.grid);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4 * TURNS, ROWS);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGB32F, 4 * TURNS, ROWS);
       for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     } else gl.bindTexture(gl.TEXTURE_2D, this.grid);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGBA, gl.FLOAT, texels);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGB, gl.FLOAT, fields.grid);
+    gl.uniform1f(this.at(program, "lit"), lit);
     gl.uniform1i(this.at(program, "grid"), 0);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);
   }
 
-  /** Draw one sky, or two side by side, on the canvas. */
-  draw(skies: Sky[], view: View, shown: Shown): void {
+  /** Draw one sky, or two side by side, on the canvas; their light so many times coarser each way. */
+  draw(skies: Sky[], view: View, shown: Shown, coarser = 1): void {
     const { gl } = this;
     const { width, height } = this.canvas;
-    const lit = skies.map((sky, slot) => this.light(slot, sky, view, width, height));
+    const [w, t] = [Math.ceil(width / coarser), Math.ceil(height / coarser)];
+    const lit = skies.map((sky, slot) => this.light(slot, sky, view, w, t, false));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
     const program = this.program(`display ${shown.mode}`, () => display(shown.mode));
@@ -207,7 +209,7 @@ export class Renderer {
   /** XYZ and mask (1 sky, 0 below the horizon, -1 outside), four numbers a pixel, row by row from the top. */
   read(sky: Sky, view: View, width: number, height: number): Float32Array {
     const { gl } = this;
-    this.light(2, sky, view, width, height);
+    this.light(2, sky, view, width, height, true);
     const flipped = new Float32Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, flipped);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -45,13 +45,18 @@ export function directXYZ(sky: Sky): Vec3 {
 
 /** Integral of one channel of the formula times the cosine. */
 export function channelIntegral(letters: Letters, sunZenith: number, hosek = false): number {
+  return integralOf((up, half, angle) => channel(letters, hosek, up, half, angle), sunZenith);
+}
+
+/** Integral over the dome, times the cosine, of what depends on the view's height and its angle to the sun. */
+export function integralOf(light: (up: number, half: number, angle: number) => number, sunZenith: number): number {
   let total = 0;
   const sun = Math.min(Math.max(sunZenith, 0), Math.PI / 2);
   nodesAbout(sun, (zenith, difference, solidAngle) => {
     const up = Math.cos(zenith);
     const across = Math.sin(zenith) * Math.sin(sun) * Math.sin(difference / 2) ** 2;
     const half = Math.min(Math.sin((zenith - sun) / 2) ** 2 + across, 1);
-    total += solidAngle * up * channel(letters, hosek, up, half, 2 * Math.asin(Math.sqrt(half)));
+    total += solidAngle * up * light(up, half, 2 * Math.asin(Math.sqrt(half)));
   });
   return total;
 }

@@ -44,7 +44,17 @@ export interface Fields {
   laws: Law[];
 }
 
-export type Recipe = Formula | Network | Fields;
+export interface Shaped {
+  kind: "shaped";
+  /** Of the terms of `shaped.ts`. */
+  numbers: number[];
+  /** cd m-2 a unit of the shape. */
+  level: number;
+  /** XYZ of its one colour, Y = 1. */
+  white: number[];
+}
+
+export type Recipe = Formula | Network | Fields | Shaped;
 
 export interface Spectrum {
   wavelengths: number[];
