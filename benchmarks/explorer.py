@@ -72,10 +72,14 @@ def main() -> None:
                 page, first, paint = opened(browser, server.address, size, f"?model={model}&time=15:00")
                 page.evaluate(SLIDE, 5)
                 rows = page.evaluate(SLIDE, 40)
-                picture = page.evaluate("[document.querySelector('canvas').width, document.querySelector('canvas').height]")
+                picture = page.evaluate(
+                    "[document.querySelector('canvas').width, document.querySelector('canvas').height]"
+                )
                 pixels, shown, script = (quantiles(list(column)) for column in zip(*rows, strict=True))
-                print(f"{name}, {model}, picture {picture}: pixels {pixels}, next frame {shown}, script {script} ms; "
-                      f"first picture {first:.2f} s, first paint {paint:.2f} s")
+                print(
+                    f"{name}, {model}, picture {picture}: pixels {pixels}, next frame {shown}, script {script} ms; "
+                    f"first picture {first:.2f} s, first paint {paint:.2f} s"
+                )
                 page.context.close()
         browser.close()
 

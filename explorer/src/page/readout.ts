@@ -26,9 +26,10 @@ const degrees = (value: number): string => `${value.toFixed(1)}°`;
 /** The table of numbers, of one sky or of two. */
 export class Readout {
   private sun = h("p", { class: "sun-place" });
+  private moon = h("p", { class: "sun-place" });
   private head = h("thead");
   private body = h("tbody");
-  readonly element = h("div", {}, this.sun, h("table", { class: "numbers" }, this.head, this.body));
+  readonly element = h("div", {}, this.sun, this.moon, h("table", { class: "numbers" }, this.head, this.body));
   private note = h("p", { class: "notes" });
 
   constructor() {
@@ -38,6 +39,12 @@ export class Readout {
   show(scene: Scene, numbers: Numbers[]): void {
     const [turn, height] = sunAngles(scene.sun);
     tell(this.sun, `Sun ${degrees(turn)} azimuth, ${degrees(height)} elevation`);
+    const { moon } = scene;
+    this.moon.hidden = !moon || !scene.state.moon;
+    if (moon) {
+      const [along, high] = sunAngles(moon.toward);
+      tell(this.moon, `Moon ${degrees(along)} azimuth, ${degrees(high)} elevation, ${(100 * moon.lit).toFixed(0)} % lit, ${moon.waxing ? "waxing" : "waning"}`);
+    }
     const two = numbers.length > 1;
     this.head.replaceChildren();
     if (two) this.head.append(h("tr", {}, h("th"), ...scene.skies.map((sky) => h("th", { scope: "col" }, sky.name))));

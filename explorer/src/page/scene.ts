@@ -6,6 +6,7 @@ import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
 import type { Sky } from "../skies/sky";
 import { instant } from "../sun/clock";
+import { moonOver, type Moon } from "../sun/moon";
 import { radiusAt, sunOver } from "../sun/position";
 import type { State } from "./state";
 
@@ -16,6 +17,8 @@ export interface Scene {
   sun: Vec3;
   /** Distance of the sun, AU; 1 where it is set by hand. */
   distance: number;
+  /** The moon of that hour; null under a sun set by hand. */
+  moon: Moon | null;
   model: Model;
   /** One sky, or two side by side. */
   skies: Sky[];
@@ -34,9 +37,10 @@ export const GREY = 0.18;
 export const EV_PER_LUMINANCE = 8;
 
 /** What the state's skies are made of under a sun. */
-export function conditionsOf(state: State, sun: Vec3, distance: number): Conditions {
+export function conditionsOf(state: State, sun: Vec3, distance: number, given: Moon | null = null): Conditions {
   const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud } = state;
-  return { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud };
+  const moon = state.sun || !state.moon ? null : given;
+  return { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, moon };
 }
 
 /** The scene of a state. */
@@ -45,11 +49,12 @@ export function sceneOf(state: State): Scene {
   const found = sunOver(state, utc);
   const sun = state.sun ? direction(state.sun[0] * DEG, state.sun[1] * DEG) : found.toward;
   const distance = state.sun ? 1 : found.distance;
-  const conditions = conditionsOf(state, sun, distance);
+  const moon = moonOver(state, utc);
+  const conditions = conditionsOf(state, sun, distance, moon);
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
-  return { state, utc, sun, distance, model, skies };
+  return { state, utc, sun, distance, moon: state.sun ? null : moon, model, skies };
 }
 
 /** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */
@@ -66,9 +71,10 @@ export function groundXYZ(sky: Sky, numbers: Numbers): Vec3 {
 /** Luminances over the dome, evenly by solid angle, for exposure and bars. */
 function luminances(sky: Sky): number[] {
   const found: number[] = [];
+  const lamp = azimuth(sky.disc?.toward ?? sky.sun);
   for (let ring = 0; ring < 6; ring++) {
     for (let turn = 0; turn < 12; turn++) {
-      const toward = direction(azimuth(sky.sun) + (turn + 0.5) * 30 * DEG, Math.asin((ring + 0.5) / 6));
+      const toward = direction(lamp + (turn + 0.5) * 30 * DEG, Math.asin((ring + 0.5) / 6));
       found.push(xyzToward(sky, toward)[1]);
     }
   }

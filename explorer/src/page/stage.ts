@@ -89,7 +89,7 @@ export class Stage {
     const two = scene.skies.length > 1 && scene.state.show !== "difference";
     const labels = scene.skies.map((sky) => sky.name) as [string, string];
     drawOver(context, {
-      view, width, height, sun: scene.sun, ...lines, wipe: two ? scene.state.wipe : null, labels: two ? labels : null, ink,
+      view, width, height, sun: scene.sun, moon: scene.state.moon ? scene.moon : null, ...lines, wipe: two ? scene.state.wipe : null, labels: two ? labels : null, ink,
       held: this.grip === "sun",
     });
   }

@@ -34,7 +34,7 @@ export class Renderer {
   private uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
   private targets: (Target | null)[] = [null, null, null];
   private block: WebGLBuffer | null = null;
-  private grid: WebGLTexture | null = null;
+  private grids: (WebGLTexture | null)[] = [null, null];
   private linear = false;
 
   constructor(readonly canvas: HTMLCanvasElement) {
@@ -50,7 +50,7 @@ export class Renderer {
     this.programs.clear();
     this.uniforms.clear();
     this.targets = [null, null, null];
-    this.grid = null;
+    this.grids = [null, null];
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
@@ -161,17 +161,29 @@ export class Renderer {
 
   private tellFields(program: WebGLProgram, fields: Fields, lit: number): void {
     const { gl } = this;
+    const { moonlit } = fields;
+    this.bindGrid(0, fields.grid);
+    if (moonlit || !this.grids[1]) this.bindGrid(1, (moonlit ?? fields).grid);
+    gl.uniform1f(this.at(program, "lit"), lit);
+    gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
+    gl.uniform1i(this.at(program, "grid"), 2);
+    gl.uniform1i(this.at(program, "moon_grid"), 3);
+    gl.uniform3f(this.at(program, "seen"), ...fields.seen);
+    gl.uniform3f(this.at(program, "moon_seen"), ...(moonlit ?? fields).seen);
     gl.activeTexture(gl.TEXTURE0);
-    if (!this.grid) {
-      this.grid = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, this.grid);
+  }
+
+  /** The fields under a lamp, of the sun (0) or the moon (1), on a texture unit of their own. */
+  private bindGrid(lamp: number, grid: Float32Array): void {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE2 + lamp);
+    if (!this.grids[lamp]) {
+      this.grids[lamp] = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
       gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGB32F, 4 * TURNS, ROWS);
       for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-    } else gl.bindTexture(gl.TEXTURE_2D, this.grid);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGB, gl.FLOAT, fields.grid);
-    gl.uniform1f(this.at(program, "lit"), lit);
-    gl.uniform1i(this.at(program, "grid"), 0);
-    gl.uniform3f(this.at(program, "seen"), ...fields.seen);
+    } else gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGB, gl.FLOAT, grid);
   }
 
   /** Draw one sky, or two side by side, on the canvas; their light so many times coarser each way. */
@@ -183,7 +195,7 @@ export class Renderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
     const program = this.program(`display ${shown.mode}`, () => display(shown.mode));
-    this.useView(program, view, skies[0].sun);
+    this.useView(program, view, skies[0].disc?.toward ?? skies[0].sun);
     lit.forEach((target, k) => {
       gl.activeTexture(gl.TEXTURE0 + k);
       gl.bindTexture(gl.TEXTURE_2D, target.texture);

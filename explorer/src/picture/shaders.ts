@@ -157,18 +157,21 @@ function phaseText(law: Law): string {
 function fieldsSky(fields: Fields): string {
   return `
 uniform sampler2D grid;
+uniform sampler2D moon_grid;
 uniform vec3 seen;
+uniform vec3 moon_seen;
 uniform float lit;
+uniform bool moonlit;
 float lobe(float a, float b, float g, float away, float squared) {
     float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
     return (a + b * squared) / (gap * sqrt(gap));
 }
-vec3 cell(int row, int turn, vec4 shapes) {
+vec3 cell(sampler2D grid, int row, int turn, vec4 shapes) {
     vec3 light = vec3(0.0);
     for (int k = 0; k < 4; k++) light += shapes[k] * texelFetch(grid, ivec2(4 * turn + k, row), 0).rgb;
     return light;
 }
-vec3 sky_xyz(vec3 d) {
+vec3 of_lamp(sampler2D grid, vec3 seen, vec3 d) {
     float up = clamp(d.z, ${fields.leastCosine.toFixed(6)}, 1.0);
     float row = sqrt(max(0.0, 1.0 - skydome_angle(0.5 * (1.0 - up)) / ${Math.acos(fields.leastCosine).toFixed(9)})) * ${(ROWS - 1).toFixed(1)};
     float level = d.x * seen.x + d.y * seen.y;
@@ -178,7 +181,11 @@ vec3 sky_xyz(vec3 d) {
     vec3 apart = d - seen;
     float away = 0.5 * dot(apart, apart), squared = (1.0 - away) * (1.0 - away);
     vec4 shapes = vec4(${fields.laws.map(phaseText).join(", ")}, 1.0);
-    return lit * mix(mix(cell(i, j, shapes), cell(i, j + 1, shapes), b), mix(cell(i + 1, j, shapes), cell(i + 1, j + 1, shapes), b), a);
+    return mix(mix(cell(grid, i, j, shapes), cell(grid, i, j + 1, shapes), b), mix(cell(grid, i + 1, j, shapes), cell(grid, i + 1, j + 1, shapes), b), a);
+}
+vec3 sky_xyz(vec3 d) {
+    vec3 light = of_lamp(grid, seen, d);
+    return lit * (moonlit ? light + of_lamp(moon_grid, moon_seen, d) : light);
 }
 `;
 }

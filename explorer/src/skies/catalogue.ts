@@ -8,6 +8,7 @@ import { hosekLetters } from "./hosek";
 import { channel } from "./light";
 import { skydome_angle } from "../data/formula";
 import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
+import type { Moon } from "../sun/moon";
 import { asrc, brungerHooper, harrisonCoombes, intermediate, moonSpencer, pokrowski, uniform, type Levelled } from "./older";
 import { allWeather, byLetters, byWeather, igawa } from "./perez";
 import { LOWEST, physicalLight } from "./physical";
@@ -33,6 +34,8 @@ export interface Conditions {
   share: number;
   clearness: number;
   cloud: number;
+  /** The moon of that hour; null where it is left out, or the sun is set by hand. */
+  moon: Moon | null;
 }
 
 /** Parameters that few models have. */
@@ -176,12 +179,23 @@ function cieClear(c: Conditions): Sky {
   return withDisc(base("cie-clear", c, formula([letters], GREY), TABLES.albedo.ground, [GREY_NOTE]), c, c.turbidity);
 }
 
-/** The physical sky: its table's fields; in twilight too. */
+/** The physical sky: its table's fields; in twilight too, and under the moon. */
 function physical(c: Conditions): Sky {
-  const day = c.sun[2] > Math.sin(LOWEST * DEG);
-  const { fields, lux } = physicalLight(c.sun, c.turbidity, c.albedo, c.distance ** -2);
-  return { ...withDisc(base("physical", c, fields, c.albedo), c, 3, lux), day };
+  const near = c.distance ** -2;
+  const ofSun = physicalLight(c.sun, c.turbidity, c.albedo, c.sun[2] > END ? [near, near, near] : [0, 0, 0]);
+  const sky = base("physical", c, ofSun.fields, c.albedo);
+  const { moon } = c;
+  const moonlit = moon && c.sun[2] < 0 && moon.toward[2] > END ? physicalLight(moon.toward, c.turbidity, c.albedo, moon.light) : null;
+  const day = c.sun[2] > END || moonlit !== null;
+  if (!moonlit) return { ...withDisc(sky, c, 3, ofSun.lux), day };
+  const disc = discOf(moon!.toward, 3, moon!.radius, moonlit.lux);
+  const notes = c.sun[2] < TWILIGHT ? [NIGHT_NOTE] : [];
+  return { ...sky, recipe: { ...ofSun.fields, moonlit: moonlit.fields }, disc, day, notes };
 }
+
+/** Sines of the elevations to which a lamp lights the air, and below which stars and glows are more than a hundredth. */
+const [END, TWILIGHT] = [Math.sin(LOWEST * DEG), Math.sin(-12 * DEG)];
+const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; `skydome render` has them";
 
 const CIE_NAMES = [
   "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",

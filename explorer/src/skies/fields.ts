@@ -1,6 +1,6 @@
 /** A physical sky held as fields: straight lines between the nodes of a fine grid, phase functions put in exactly. */
 
-import { limited, type Vec3 } from "../core/vector";
+import { limited, sum, type Vec3 } from "../core/vector";
 import { ROWS, TURNS } from "./grid";
 import type { Fields, Law } from "./sky";
 
@@ -27,8 +27,13 @@ export function fieldsAt({ grid, leastCosine }: Fields, up: number, turned: numb
   return cell;
 }
 
-/** XYZ toward a direction above the horizon. */
+/** XYZ toward a direction above the horizon, of the sun and of the moon. */
 export function fieldsLight(fields: Fields, toward: Vec3): Vec3 {
+  const light = ofOneLamp(fields, toward);
+  return fields.moonlit ? sum(light, ofOneLamp(fields.moonlit, toward)) : light;
+}
+
+function ofOneLamp(fields: Fields, toward: Vec3): Vec3 {
   const { seen, laws } = fields;
   const level = toward[0] * seen[0] + toward[1] * seen[1];
   const across = Math.abs(toward[0] * seen[1] - toward[1] * seen[0]);

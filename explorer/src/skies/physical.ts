@@ -97,8 +97,8 @@ const EVEN_TURNS = even(TURNS, table.turns, false);
 /** The aerosol's three channels stand for each turbidity above 1. */
 const isAerosol = (field: number): boolean => field >= 3 && field < 6;
 
-/** The sky under a sun, its light times `strength`. */
-export function physicalLight(sun: Vec3, turbidity: number, albedo: number, strength: number): Physical {
+/** The sky under a lamp, a sun 1 AU away whose X, Y and Z are taken times `strength`. */
+export function physicalLight(sun: Vec3, turbidity: number, albedo: number, strength: Vec3): Physical {
   const degrees = elevation(sun) / DEG;
   const span = table.spans[degrees < -5.75 ? 0 : degrees < 4 ? 1 : 2];
   const height = limited(degrees, span.elevations[0], span.elevations[span.elevations.length - 1]);
@@ -108,10 +108,10 @@ export function physicalLight(sun: Vec3, turbidity: number, albedo: number, stre
   const rest = unpackedFields(span.rest, crossed(airs, mixedAt(table.albedos, albedo), table.albedos.length), 3);
   const length = table.nodes * table.turns;
   const grid = new Float32Array(ROWS * TURNS * 12);
-  for (let f = 0; f < 9; f++) refine(once, f * length, grid, f, isAerosol(f) ? strength * (turbidity - 1) : strength);
-  for (let c = 0; c < 3; c++) refine(rest, c * length, grid, 9 + c, strength);
+  for (let f = 0; f < 9; f++) refine(once, f * length, grid, f, strength[f % 3] * (isAerosol(f) ? turbidity - 1 : 1));
+  for (let c = 0; c < 3; c++) refine(rest, c * length, grid, 9 + c, strength[c]);
   const seen = heights.reduce((total, [row, weight]) => total + weight * span.seen[row], 0) + degrees - height;
   const lux = Math.exp(airs.reduce((total, [row, weight]) => total + weight * span.lux.flat()[row], 0));
-  const fields: Fields = { kind: "fields", grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws: table.laws };
-  return { fields, lux: lux < 1e-3 ? 0 : lux * strength };
+  const fields: Fields = { kind: "fields", grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws: table.laws, moonlit: null };
+  return { fields, lux: lux < 1e-3 ? 0 : lux * strength[1] };
 }

@@ -42,6 +42,8 @@ export interface Fields {
   seen: Vec3;
   leastCosine: number;
   laws: Law[];
+  /** Light of the moon in the same air; null by day and without a moon. */
+  moonlit: Fields | null;
 }
 
 export interface Shaped {
@@ -80,6 +82,8 @@ export interface Sky {
 }
 
 export interface Disc {
+  /** Where it stands: the sun, or at night the moon. */
+  toward: Vec3;
   radius: number;
   turbidity: number;
   /** XYZ of the illuminance on a plane that faces it, lx. */
