@@ -43,7 +43,7 @@ export class Readout {
     this.moon.hidden = !moon || !scene.state.moon;
     if (moon) {
       const [along, high] = sunAngles(moon.toward);
-      tell(this.moon, `Moon ${degrees(along)} azimuth, ${degrees(high)} elevation, ${(100 * moon.lit).toFixed(0)} % lit, ${moon.waxing ? "waxing" : "waning"}`);
+      tell(this.moon, `Moon ${degrees(along)}, ${degrees(high)}, ${(100 * moon.lit).toFixed(0)}\u00a0% lit, ${moon.waxing ? "waxing" : "waning"}`);
     }
     const two = numbers.length > 1;
     this.head.replaceChildren();

@@ -86,12 +86,15 @@ export class Timeline {
     if (key === this.drawn) return;
     this.drawn = key;
     const given = { ...state };
-    const step = (k: number): void => {
-      if (k === STEPS || this.drawn !== key) return;
-      this.paintStep(given, k);
-      idle(() => step(k + 1));
+    let k = 0;
+    const some = (until: number): void => {
+      do {
+        if (k === STEPS || this.drawn !== key) return;
+        this.paintStep(given, k++);
+      } while (performance.now() < until);
+      idle(some);
     };
-    idle(() => step(0));
+    idle(some);
   }
 
   /** One part of the day on the track. */
@@ -109,10 +112,10 @@ export class Timeline {
   }
 }
 
-/** Call when nothing else is to be done. */
-const idle = (work: () => void): void => {
-  if ("requestIdleCallback" in window) requestIdleCallback(work, { timeout: 300 });
-  else setTimeout(work, 16);
+/** Call when nothing else is to be done, with the moment until which that holds. */
+const idle = (work: (until: number) => void): void => {
+  if ("requestIdleCallback" in window) requestIdleCallback((given) => work(performance.now() + given.timeRemaining() - 8), { timeout: 200 });
+  else setTimeout(() => work(performance.now() + 10), 16);
 };
 
 function scale(marks: string[]): HTMLElement {

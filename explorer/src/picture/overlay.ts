@@ -63,8 +63,9 @@ function rings(context: CanvasRenderingContext2D, over: Over): void {
 
 function ringLabel(over: Over, height: number): [number, number] {
   if (!over.view.dome) return [18, at(over, direction(over.view.left, height * DEG))[1] - 9];
-  const [x, y] = at(over, direction(135 * DEG, height * DEG));
-  return [x - 4, y + 4];
+  const southward = over.path?.points[72] ?? [0, -1, 0];
+  const [x, y] = at(over, direction((southward[1] < 0 ? 45 : 135) * DEG, height * DEG));
+  return [x - 4, y + (southward[1] < 0 ? -4 : 4)];
 }
 
 function compass(context: CanvasRenderingContext2D, over: Over): void {

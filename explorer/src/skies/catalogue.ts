@@ -195,7 +195,7 @@ function physical(c: Conditions): Sky {
 
 /** Sines of the elevations to which a lamp lights the air, and below which stars and glows are more than a hundredth. */
 const [END, TWILIGHT] = [Math.sin(LOWEST * DEG), Math.sin(-12 * DEG)];
-const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; `skydome render` has them";
+const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; the command has them";
 
 const CIE_NAMES = [
   "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",
