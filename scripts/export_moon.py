@@ -19,7 +19,7 @@ from skydome.light.spectrum import xyz_weights
 from skydome.moon.geocentric import moon_vectors
 from skydome.moon.phase import MoonPhase
 from skydome.moon.position import LUNAR_RADIUS
-from skydome.skies.night.lunar_light import BANDS, MEAN_DISTANCE, LunarLight
+from skydome.skies.night.moon.lunar_light import BANDS, MEAN_DISTANCE, LunarLight
 from skydome.sun.celestial import ASTRONOMICAL_UNIT, centuries, ecliptic_axes
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "moon.json"

@@ -1,4 +1,4 @@
-"""The explorer in Chromium, docs/figures/explorer_*.png: `python docs/figures/explorer.py`, with names only some of them.
+"""The explorer in Chromium, docs/figures/explorer_*.png: `python docs/figures/explorer.py`, or only those named.
 
 Pictures of 1440 x 900, and of a phone; their colours are dithered into a palette, so that no bands show.
 """
@@ -44,8 +44,10 @@ def year(page: Page) -> None:
     for k, hour in enumerate(hours + np.timedelta64(90, "m")):
         day = (hour - np.timedelta64(1, "h")).astype(object)
         total = diffuse[k] + direct[k] * high[k]
-        rows.append(f"2026,{day.month},{day.day},{k % 24 + 1},0,x,12,6,50,99000,0,0,0,{total:.0f},{direct[k]:.0f},{diffuse[k]:.0f}")
-    page.evaluate("text => document.getElementById('skydome-explorer').explorer.year.show(text, 'torino.epw')", "\n".join(rows))
+        hours_light = f"{total:.0f},{direct[k]:.0f},{diffuse[k]:.0f}"
+        rows.append(f"2026,{day.month},{day.day},{k % 24 + 1},0,x,12,6,50,99000,0,0,0,{hours_light}")
+    show = "text => document.getElementById('skydome-explorer').explorer.year.show(text, 'torino.epw')"
+    page.evaluate(show, "\n".join(rows))
 
 
 def shot(page: Page, name: str, address: str) -> Image.Image:

@@ -11,7 +11,7 @@ from skydome.air.cross_sections import solar_irradiance
 from skydome.ground import exr
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.catalogue import model_named
-from skydome.skies.night.lunar_light import BANDS, LunarLight
+from skydome.skies.night.moon.lunar_light import BANDS, LunarLight
 
 pytestmark = pytest.mark.slow
 
@@ -183,11 +183,10 @@ def test_the_moon_is_the_librarys_and_so_is_its_light(opened):
     rng = np.random.default_rng(7)
     for _ in range(6):
         latitude, longitude = float(rng.uniform(-70, 70)), float(rng.uniform(-180, 180))
-        time = f"20{rng.integers(10, 60):02d}-{rng.integers(1, 13):02d}-{rng.integers(1, 28):02d}T{rng.integers(24):02d}:00"
-        page.change(
-            latitude=latitude, longitude=longitude, zone="Etc/GMT", date=time[:10], minutes=60 * int(time[11:13])
-        )
-        found, phase = page.ask("explorer.scene.moon"), sd.moon_phase(sd.Place(latitude, longitude), time + "Z")
+        day = f"20{rng.integers(10, 60):02d}-{rng.integers(1, 13):02d}-{rng.integers(1, 28):02d}"
+        hour, place = int(rng.integers(24)), sd.Place(latitude, longitude)
+        page.change(latitude=latitude, longitude=longitude, zone="Etc/GMT", date=day, minutes=60 * hour)
+        found, phase = page.ask("explorer.scene.moon"), sd.moon_phase(place, f"{day}T{hour:02d}:00Z")
         assert float(sd.angle_between(np.array(found["toward"]), phase.direction)) < 0.02 * sd.deg
         assert found["lit"] == pytest.approx(float(phase.illuminated), abs=1e-3)
         assert found["waxing"] == bool(phase.waxing)

@@ -32,7 +32,7 @@ function parameters({ state, model, skies, distance }: Scene): Record<string, st
     if (!state.sun) told.extraterrestrial_irradiance = short(TABLES.perez.solarConstant / distance ** 2, 3);
   }
   if (isUsual(model)) told[model.name === "uniform" ? "value" : "zenith_luminance"] = short(zenithXYZ(skies[0])[1], 2);
-  for (const name of model.own ?? []) if (name !== "letters") told[OWN[name]] = short(state[name], 3);
+  for (const name of model.own ?? []) if (name !== "air" && name !== "letters") told[OWN[name]] = short(state[name], 3);
   if (model.own?.includes("letters")) state.letters.forEach((value, k) => (told["abcde"[k]] = short(value, 3)));
   if (/^cie-\d/.test(model.name)) told.type = model.name.slice(4);
   return told;
@@ -72,7 +72,9 @@ export function asPython(scene: Scene): string {
 }
 
 function physicalAir({ state }: Scene): string {
-  return `sd.clear_air(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)})`;
+  const kind = state.aerosol === "usual" ? "clear_air" : `Atmosphere.${state.aerosol}`;
+  const ozone = state.ozone === 330 ? "" : `, ozone=${short(state.ozone, 0)}`;
+  return `sd.${kind}(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)}${ozone})`;
 }
 
 const PYTHON_ONLY = ["type", "zenith_luminance", "value", "extraterrestrial_irradiance", ..."abcde"];
@@ -88,6 +90,10 @@ export function asCommand(scene: Scene): string {
   const told = Object.entries(parameters(scene)).filter(([name]) => !PYTHON_ONLY.includes(name))
     .map(([name, value]) => (SET.includes(name) ? `--set ${name}=${value}` : `--${OPTIONS[name] ?? name} ${value}`));
   if (model.own?.includes("letters")) told.push(`--letters=${state.letters.map((value) => short(value, 3)).join()}`);
+  if (model.own?.includes("air")) {
+    if (state.aerosol !== "usual") told.push(`--aerosol ${state.aerosol}`);
+    if (state.ozone !== 330) told.push(`--ozone ${short(state.ozone, 0)}`);
+  }
   const hazy = isOfDisc(model) && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
   return ["skydome render", sun, `--model ${model.name}`, ...told, ...hazy, `--target ${state.target}`, "-o sky.exr"].join(" ") + "\n";
 }

@@ -1,6 +1,7 @@
 /** The controls of the panel, in the order in which one asks: which sky, where, how it is shown. */
 
 import { TABLES } from "../core/tables";
+import { AEROSOLS } from "../skies/airs";
 import { MODELS, type Own } from "../skies/catalogue";
 import { checkbox, section, select, slider, type Change, type Control } from "./controls";
 import { h, tell } from "./element";
@@ -44,6 +45,11 @@ function hazeUnit(change: Change): Control {
   return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !usesHaze(scene))) };
 }
 
+function aerosols(change: Change): Control {
+  const made = select("Aerosol", "aerosol", new Map([["", AEROSOLS.map((name): [string, string] => [name, name])]]), change);
+  return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("air")(scene))) };
+}
+
 const isMeasured = (scene: Scene): boolean => scene.skies.some((_, k) => modelAt(scene, k)?.irradiance);
 
 function hazeLimits(scene: Scene): [number, number] {
@@ -63,6 +69,9 @@ export function skySection(change: Change): { element: HTMLElement; controls: Co
     slider({ label: "Haze", hint: "Turbidity: scattering of all air over that of molecules", step: 0.05, limits: hazeLimits,
       value: ({ state }) => state.turbidity, text: (value, { state }) => `${inUnit(state.haze, value)} ${haze(value)}`,
       change: (turbidity) => ({ turbidity }), shown: usesHaze }, change),
+    aerosols(change),
+    slider({ label: "Ozone", hint: "In the whole column of air", step: 5, limits: fixed("ozone"), value: ({ state }) => state.ozone,
+      text: (value) => `${value.toFixed(0)} DU`, change: (ozone) => ({ ozone }), shown: has("air") }, change),
     slider({ label: "Ground albedo", hint: "Share of light that the ground sends back", step: 0.01, limits: fixed("albedo"),
       value: ({ state }) => state.albedo, text: (value) => value.toFixed(2), change: (albedo) => ({ albedo }),
       shown: (scene) => scene.skies.some((_, k) => modelAt(scene, k)?.albedo) }, change),

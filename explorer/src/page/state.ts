@@ -1,6 +1,7 @@
 /** What the page shows, as plain values; and each value's way into the address and back. */
 
 import { isZone } from "../sun/clock";
+import { AEROSOLS } from "../skies/airs";
 import { modelNamed } from "../skies/catalogue";
 
 export interface State {
@@ -27,6 +28,9 @@ export interface State {
   share: number;
   clearness: number;
   cloud: number;
+  /** Kind of aerosol, and Dobson units of ozone, of the physical sky. */
+  aerosol: string;
+  ozone: number;
   /** In what haze is told: turbidity, kilometres that one sees, or the aerosol's optical depth at 550 nm. */
   haze: "turbidity" | "visibility" | "depth";
   view: "dome" | "panorama";
@@ -53,7 +57,7 @@ export const VERSION = 1;
 export const USUAL: State = {
   model: "hosek-wilkie", beside: "", latitude: 45.07, longitude: 7.687, zone: "Europe/Rome", name: "Turin, Italy",
   date: "2026-06-21", minutes: 18 * 60 + 30, sun: null, turbidity: 3, albedo: 0.2, dni: 700, dhi: 120, dew: 11,
-  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, haze: "turbidity",
+  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, aerosol: "usual", ozone: 330, haze: "turbidity",
   view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, moon: true, analemma: false,
   target: "native", theme: "", url: "",
 };
@@ -70,7 +74,7 @@ export const TARGETS: Record<string, { left: number; note: string }> = {
 
 export const LIMITS: Record<string, [number, number]> = {
   latitude: [-90, 90], longitude: [-180, 180], turbidity: [1, 10], albedo: [0, 1], dni: [0, 1200], dhi: [0, 800],
-  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
+  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], ozone: [200, 480], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
 };
 
 /** Limits of Perez's letters, within which his sky is nowhere below 0. */
@@ -105,7 +109,7 @@ function choice<K extends keyof State>(name: K, allowed: (text: string) => boole
   };
 }
 
-function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "look" | "wipe", digits = 2): Entry {
+function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "ozone" | "look" | "wipe", digits = 2): Entry {
   return {
     key: name,
     read: (text) => {
@@ -183,7 +187,7 @@ export const ENTRIES: Entry[] = [
     },
     write: ({ letters }) => letters.map((value) => round(value, 3)).join(),
   },
-  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"),
+  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
   choice("haze", oneOf("turbidity", "visibility", "depth")),
   choice("view", oneOf("dome", "panorama")), numeric("look", 1),
   choice("show", oneOf("photo", "luminance", "difference")),

@@ -168,6 +168,8 @@ export class Renderer {
     gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
     gl.uniform1i(this.at(program, "grid"), 2);
     gl.uniform1i(this.at(program, "moon_grid"), 3);
+    const [lobe] = fields.laws[1].lobes;
+    gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);
     gl.uniform3f(this.at(program, "moon_seen"), ...(moonlit ?? fields).seen);
     gl.activeTexture(gl.TEXTURE0);

@@ -153,6 +153,9 @@ function phaseText(law: Law): string {
   return [`${n(law.constant)} + ${n(law.square)} * squared`, ...lobes].join(" + ");
 }
 
+/** Which of the laws is the aerosol's, which changes with its kind. */
+const AEROSOL = 1;
+
 /** GLSL of a physical sky: four taps in a table of fields. */
 function fieldsSky(fields: Fields): string {
   return `
@@ -162,6 +165,7 @@ uniform vec3 seen;
 uniform vec3 moon_seen;
 uniform float lit;
 uniform bool moonlit;
+uniform vec3 haze;
 float lobe(float a, float b, float g, float away, float squared) {
     float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
     return (a + b * squared) / (gap * sqrt(gap));
@@ -180,7 +184,7 @@ vec3 of_lamp(sampler2D grid, vec3 seen, vec3 d) {
     float a = row - float(i), b = turn - float(j);
     vec3 apart = d - seen;
     float away = 0.5 * dot(apart, apart), squared = (1.0 - away) * (1.0 - away);
-    vec4 shapes = vec4(${fields.laws.map(phaseText).join(", ")}, 1.0);
+    vec4 shapes = vec4(${fields.laws.map((law, k) => (k === AEROSOL ? "lobe(haze.x, haze.y, haze.z, away, squared)" : phaseText(law))).join(", ")}, 1.0);
     return mix(mix(cell(grid, i, j, shapes), cell(grid, i, j + 1, shapes), b), mix(cell(grid, i + 1, j, shapes), cell(grid, i + 1, j + 1, shapes), b), a);
 }
 vec3 sky_xyz(vec3 d) {

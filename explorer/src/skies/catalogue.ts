@@ -8,6 +8,7 @@ import { hosekLetters } from "./hosek";
 import { channel } from "./light";
 import { skydome_angle } from "../data/formula";
 import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
+import type { Air } from "./airs";
 import type { Moon } from "../sun/moon";
 import { asrc, brungerHooper, harrisonCoombes, intermediate, moonSpencer, pokrowski, uniform, type Levelled } from "./older";
 import { allWeather, byLetters, byWeather, igawa } from "./perez";
@@ -34,12 +35,13 @@ export interface Conditions {
   share: number;
   clearness: number;
   cloud: number;
+  air: Air;
   /** The moon of that hour; null where it is left out, or the sun is set by hand. */
   moon: Moon | null;
 }
 
 /** Parameters that few models have. */
-export type Own = "letters" | "lux" | "share" | "clearness" | "cloud";
+export type Own = "letters" | "lux" | "share" | "clearness" | "cloud" | "air";
 
 export interface Model {
   name: string;
@@ -182,10 +184,10 @@ function cieClear(c: Conditions): Sky {
 /** The physical sky: its table's fields; in twilight too, and under the moon. */
 function physical(c: Conditions): Sky {
   const near = c.distance ** -2;
-  const ofSun = physicalLight(c.sun, c.turbidity, c.albedo, c.sun[2] > END ? [near, near, near] : [0, 0, 0]);
+  const ofSun = physicalLight(c.sun, c.turbidity, c.albedo, c.air, c.sun[2] > END ? [near, near, near] : [0, 0, 0]);
   const sky = base("physical", c, ofSun.fields, c.albedo);
   const { moon } = c;
-  const moonlit = moon && c.sun[2] < 0 && moon.toward[2] > END ? physicalLight(moon.toward, c.turbidity, c.albedo, moon.light) : null;
+  const moonlit = moon && c.sun[2] < 0 && moon.toward[2] > END ? physicalLight(moon.toward, c.turbidity, c.albedo, c.air, moon.light) : null;
   const day = c.sun[2] > END || moonlit !== null;
   if (!moonlit) return { ...withDisc(sky, c, 3, ofSun.lux), day };
   const disc = discOf(moon!.toward, 3, moon!.radius, moonlit.lux);
@@ -211,7 +213,7 @@ const weather = { ...measured, group: "Measured and standard", turbidity: null, 
 const old = { ...measured, group: "Older skies", turbidity: HAZE };
 
 export const MODELS: Model[] = [
-  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, source:
+  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, own: ["air"], source:
     "Single scattering in round shells, networks for the rest", make: physical },
   { ...clear, name: "hosek-wilkie", label: "Hosek-Wilkie", source: "Hosek and Wilkie 2012", make: hosek },
   { ...clear, name: "hosek-wilkie-rgb", label: "Hosek-Wilkie RGB", source: "Hosek and Wilkie 2012", make: hosekRGB },

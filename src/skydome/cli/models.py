@@ -17,7 +17,7 @@ LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
     "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
-    "tables", "until", "paths", "visibility",
+    "tables", "until", "paths", "visibility", "aerosol", "ozone",
 )  # fmt: skip
 
 
