@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+import skydome as sd
 from skydome.air.cross_sections import solar_irradiance
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_weights
@@ -69,18 +70,14 @@ def light() -> dict[str, Any]:
     """log10 of the moon's X, Y, Z over the sun's, waxing and waning, (phases, 3) each."""
     sun = solar_irradiance(BANDS) @ xyz_weights(BANDS)
     none, found = np.zeros(len(PHASES)), {}
+    up, beside = (np.tile(axis, (len(PHASES), 1)) for axis in (sd.ZENITH, sd.NORTH))  # far from the earth's shadow
     for name, sign in (("waxing", 1), ("waning", -1)):
         angle = PHASES * deg
         phase = MoonPhase(
-            *(np.zeros((len(PHASES), 3)),) * 3,
-            angle,
-            none + MEAN_DISTANCE,
-            none + 1,
-            none > 0,
-            sign * angle,
-            none,
-            none,
-        )
+            direction=beside, toward_sun=up, north=up, phase_angle=angle, distance=none + MEAN_DISTANCE,
+            sun_distance=none + 1, waxing=none > 0, longitude_of_sun=sign * angle, longitude=none, latitude=none,
+            earth=MEAN_DISTANCE * beside,
+        )  # fmt: skip
         found[name] = np.log10(LunarLight.of(phase).whole @ xyz_weights(BANDS) / sun).round(5).tolist()
     return found
 

@@ -3,7 +3,7 @@
 import { TABLES } from "../core/tables";
 import { times, type Vec3 } from "../core/vector";
 import { HELD } from "../data/shaders";
-import { fieldsAt } from "../skies/fields";
+import { fieldsAt } from "../skies/physical/fields";
 import type { Fields } from "../skies/sky";
 
 export type ShaderLanguage = keyof typeof HELD.texts;

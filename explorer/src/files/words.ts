@@ -4,7 +4,7 @@ import { FORMULA, INPUTS } from "../data/shaders";
 import { TABLES } from "../core/tables";
 import { networkBlock, networkText } from "../picture/shaders";
 import { zenithXYZ } from "../skies/light";
-import type { Model } from "../skies/catalogue";
+import type { Model } from "../skies/model";
 import type { Sky } from "../skies/sky";
 import { SHAPE_TEXT } from "../skies/shaped";
 import { isoText } from "../sun/clock";

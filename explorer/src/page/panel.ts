@@ -1,8 +1,9 @@
 /** The controls of the panel, in the order in which one asks: which sky, where, how it is shown. */
 
 import { TABLES } from "../core/tables";
-import { AEROSOLS } from "../skies/airs";
-import { MODELS, type Own } from "../skies/catalogue";
+import { AEROSOLS } from "../skies/physical/airs";
+import { MODELS } from "../skies/catalogue";
+import type { Own } from "../skies/model";
 import { checkbox, section, select, slider, type Change, type Control } from "./controls";
 import { h, tell } from "./element";
 import { usualEV, type Scene } from "./scene";

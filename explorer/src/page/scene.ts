@@ -1,7 +1,8 @@
 /** From the page's state to its skies: the sun's place, the models' light, exposure and numbers. */
 
 import { azimuth, DEG, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
-import { modelNamed, MODELS, skyOf, type Conditions, type Model } from "../skies/catalogue";
+import { modelNamed, MODELS, skyOf } from "../skies/catalogue";
+import type { Conditions, Model } from "../skies/model";
 import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
 import type { Sky } from "../skies/sky";

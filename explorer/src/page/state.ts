@@ -1,7 +1,7 @@
 /** What the page shows, as plain values; and each value's way into the address and back. */
 
 import { isZone } from "../sun/clock";
-import { AEROSOLS } from "../skies/airs";
+import { AEROSOLS } from "../skies/physical/airs";
 import { modelNamed } from "../skies/catalogue";
 
 export interface State {

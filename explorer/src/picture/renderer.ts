@@ -2,7 +2,7 @@
 
 import { TABLES } from "../core/tables";
 import type { Vec3 } from "../core/vector";
-import { ROWS, TURNS } from "../skies/grid";
+import { ROWS, TURNS } from "../skies/physical/grid";
 import type { Fields, Sky } from "../skies/sky";
 import { display } from "./display";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";

@@ -1,7 +1,7 @@
 /** The shaders: a sky's XYZ toward every pixel, and the picture made of one or two of them. */
 
 import { FORMULA, INPUTS } from "../data/shaders";
-import { ROWS, TURNS } from "../skies/grid";
+import { ROWS, TURNS } from "../skies/physical/grid";
 import { SHAPE_NUMBERS, SHAPE_TEXT } from "../skies/shaped";
 import type { Fields, Law, Network, Recipe } from "../skies/sky";
 import { DOME_SIZE } from "./view";

@@ -3,7 +3,7 @@
 import { hosek_channel, skydome_angle, skydome_channel } from "../data/formula";
 import { halfSquare, scaled, times, ZENITH, type Vec3 } from "../core/vector";
 import { networkLight } from "./network";
-import { fieldsLight } from "./fields";
+import { fieldsLight } from "./physical/fields";
 import { shapeAt } from "./shaped";
 import type { Formula, Letters, Recipe, Shaped, Sky } from "./sky";
 

@@ -1,8 +1,8 @@
 /** A physical sky held as fields: straight lines between the nodes of a fine grid, phase functions put in exactly. */
 
-import { limited, sum, type Vec3 } from "../core/vector";
+import { limited, sum, type Vec3 } from "../../core/vector";
 import { ROWS, TURNS } from "./grid";
-import type { Fields, Law } from "./sky";
+import type { Fields, Law } from "../sky";
 
 /** A phase function of 1 - cosine, sr-1. */
 export function phase(law: Law, away: number): number {

@@ -1,9 +1,9 @@
 /** Other air than the usual: by how much the fields of the physical sky's table change with the aerosol's kind and ozone. */
 
-import table from "../data/airs.json";
-import { cubicAt } from "../core/half";
-import { limited } from "../core/vector";
-import type { Law } from "./sky";
+import table from "../../data/airs.json";
+import { cubicAt } from "../../core/half";
+import { limited } from "../../core/vector";
+import type { Law } from "../sky";
 
 export interface Air {
   /** The kind of aerosol, "usual" or one of `AEROSOLS`. */

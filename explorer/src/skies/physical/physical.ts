@@ -1,11 +1,11 @@
 /** The physical sky from its table: fields of light scattered once and of the rest, for any sun, haze and ground. */
 
-import table from "../data/physical.json";
-import { cubicAt, halves, type Half } from "../core/half";
-import { azimuth, DEG, direction, elevation, limited, type Vec3 } from "../core/vector";
+import table from "../../data/physical.json";
+import { cubicAt, halves, type Half } from "../../core/half";
+import { azimuth, DEG, direction, elevation, limited, type Vec3 } from "../../core/vector";
 import { inAir, lawOf, type Air } from "./airs";
 import { ROWS, TURNS } from "./grid";
-import type { Fields } from "./sky";
+import type { Fields } from "../sky";
 
 interface Compressed {
   size: Half;
