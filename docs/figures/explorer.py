@@ -60,7 +60,7 @@ def shot(page: Page, name: str, address: str) -> Image.Image:
         page.wait_for_timeout(50)
     if name == "year":
         year(page)
-    page.wait_for_timeout(4000)
+    page.wait_for_timeout(9000)
     return Image.open(io.BytesIO(page.screenshot(full_page=name == "phone")))
 
 
@@ -69,7 +69,7 @@ def main() -> None:
     with sync_playwright() as started, page_server() as server:
         browser = started.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         for name in sys.argv[1:] or SHOWN:
-            scale = 2 if name == "phone" else 1
+            scale = 1.5 if name == "phone" else 1
             context = browser.new_context(viewport=SHOWN[name][1], device_scale_factor=scale, color_scheme="dark")
             image = shot(context.new_page(), name, server.address).convert("RGB")
             palette = image.quantize(256, kmeans=1)

@@ -67,3 +67,23 @@ def test_every_model_has_the_librarys_light(opened):
             close = 5e-3 if sharp else 50 * close
             for key in ("diffuse", "direct", "global"):
                 assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=close), (name, sun, key)
+
+
+@pytest.mark.parametrize(
+    ("air", "sun", "most"),
+    [
+        ({"aerosol": "desert", "turbidity": 2.2}, (95.0, 22.0), 0.015),
+        ({"aerosol": "maritime", "turbidity": 3.4}, (300.0, 6.3), 0.015),
+        ({"aerosol": "urban", "turbidity": 5.0, "ozone": 360.0}, (200.0, 60.0), 0.015),
+        ({"ozone": 220.0, "turbidity": 3.0}, (60.0, -8.3), 0.03),
+    ],
+)
+def test_other_air_is_the_librarys(opened, air, sun, most):
+    page = opened("?view=panorama&model=physical", viewport={"width": 480, "height": 360})
+    page.change(sun=list(sun), albedo=0.35, **air)
+    v, u = (np.arange(16) + 0.5) / 32 * np.pi, (np.arange(64) + 0.5) / 32 * np.pi
+    sky = model_named("physical").make(sd.direction(sun[0] * sd.deg, sun[1] * sd.deg), {"albedo": 0.35} | air)
+    expected = sky.held().xyz(np.asarray(sd.direction(u[None, :], np.pi / 2 - v[:, None])))
+    assert np.abs(page.xyz(32)[:16] - expected).max() < most * expected.max()
+    lux = page.ask("explorer.scene.skies[0].disc?.normal[1] ?? 0")
+    assert lux == pytest.approx(float(sky.direct_normal_illuminance), rel=0.01)

@@ -109,7 +109,8 @@ def air_in_words(air: Atmosphere) -> dict[str, str]:
     laws = [part.phase for part in low if isinstance(part, Aerosol)]
     found = [name for name, kind in KINDS.items() if laws == [kind.phase]]
     told |= {"aerosol": found[0]} if found else {}
-    return told | {"ozone": plain(sum(part.column for part in ozone if isinstance(part, Ozone))), "albedo": plain(air.albedo)}
+    column = sum(part.column for part in ozone if isinstance(part, Ozone))
+    return told | {"ozone": plain(column), "albedo": plain(air.albedo)}
 
 
 def model_name(sky: Sky) -> str:
