@@ -67,7 +67,10 @@ def run(names: list[str]) -> list[str]:
         for job in names:
             code, lines, whole = heard(JOBS[job], folder)
             longest = silent(lines, whole)
-            print(f"{job}: exit {code}, {whole:.0f} s, {len(lines)} lines, silent for {longest:.1f} s", flush=True)
+            first = f"the first after {lines[0]:.1f} s, " if lines else ""
+            print(
+                f"{job}: exit {code}, {whole:.0f} s, {len(lines)} lines, {first}silent for {longest:.1f} s", flush=True
+            )
             if code or longest > EVERY + LATE:
                 faults.append(f"{job}: exit {code}, silent for {longest:.1f} s of {whole:.0f}")
     return faults
