@@ -71,6 +71,15 @@ def test_its_python_runs_and_is_the_same_sky(opened, tmp_path, monkeypatch):
     np.testing.assert_allclose(found, wanted, rtol=1e-3)
 
 
+def test_the_physical_skys_python_is_the_same_sky(opened, tmp_path, monkeypatch):
+    page = opened(f"{TURIN}&time=16:00&model=physical&aerosol=desert&ozone=300&turbidity=4")
+    monkeypatch.chdir(tmp_path)
+    exec(page.ask("explorer.words")["python"].replace("height=1024", "height=32"), {})
+    (tmp_path / "page.exr").write_bytes(base64.b64decode(page.page.evaluate(EXR, 32)))
+    wanted, found = exr.read(tmp_path / "sky.exr")[0][:16], exr.read(tmp_path / "page.exr")[0][:16]
+    assert np.quantile(np.abs(found / wanted - 1), 0.95) < 0.02
+
+
 @pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")

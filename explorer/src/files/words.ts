@@ -71,10 +71,11 @@ export function asPython(scene: Scene): string {
   ].join("\n");
 }
 
-function physicalAir({ state }: Scene): string {
-  const kind = state.aerosol === "usual" ? "clear_air" : `Atmosphere.${state.aerosol}`;
+function physicalAir({ state, distance }: Scene): string {
+  const kind = state.aerosol === "usual" ? "standard" : state.aerosol;
   const ozone = state.ozone === 330 ? "" : `, ozone=${short(state.ozone, 0)}`;
-  return `sd.${kind}(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)}${ozone})`;
+  const scale = state.sun ? "" : `, sun_scale=${short(distance ** -2, 5)}`;
+  return `sd.Atmosphere.${kind}(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)}${ozone}${scale})`;
 }
 
 const PYTHON_ONLY = ["type", "zenith_luminance", "value", "extraterrestrial_irradiance", ..."abcde"];
