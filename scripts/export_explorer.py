@@ -18,7 +18,9 @@ import numpy as np
 import skydome as sd
 from skydome.air.atmosphere import USUAL_ALBEDO
 from skydome.air.cross_sections import rayleigh_depth
+from skydome.air.turbidity import meteorological_range
 from skydome.dome.ground_light import USUAL_ALBEDO as GROUND_ALBEDO
+from skydome.export import held_shader
 from skydome.export.formula_shader import angle_function, channel_function
 from skydome.export.network_shader import INPUTS
 from skydome.export.shader_languages import GLSL, Language
@@ -30,9 +32,12 @@ from skydome.light.colour_temperature import _locus
 from skydome.light.daylight import daylight_weights
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.catalogue import CATALOGUE, model_named
+from skydome.skies.formula.igawa import GREATEST_INDEX
 from skydome.skies.formula.level import CLEAR_SHAPE, HIGHEST
+from skydome.skies.formula.older import asrc_cie
+from skydome.skies.formula.older.pokrowski import NEAREST, Pokrowski
 from skydome.skies.formula.perez_formula import COSINE_FLOOR
-from skydome.skies.formula.perez_table import BIN_CENTRES, LEAST_BRIGHTNESS
+from skydome.skies.formula.perez_table import BIN_CENTRES, LEAST_BRIGHTNESS, MOST_BLACK
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, band_weights, published
 from skydome.skies.neural.sky import NeuralForm, NeuralSky, NeuralSpectralSky
 from skydome.skies.preetham import Preetham, PreethamNumbers
@@ -81,7 +86,24 @@ def perez() -> dict[str, Any]:
         "efficacy": {name: plain(column) for name, column in columns("perez_1990_efficacy").items()},
         "binCentres": plain(BIN_CENTRES),
         "leastBrightness": LEAST_BRIGHTNESS,
+        "mostBlack": MOST_BLACK,
         "solarConstant": SOLAR_CONSTANT,
+    }
+
+
+def seen() -> list[float]:
+    """One over how far one sees, km-1: a constant, and its part by turbidity."""
+    near, far = 1000 / np.asarray(meteorological_range(np.array([2.0, 1.0])))
+    return [float(2 * far - near), float(near - far)]
+
+
+def older() -> dict[str, Any]:
+    """Numbers of the older skies: tables, and what their classes have where nobody says."""
+    usual = Pokrowski(sd.ZENITH, zenith_luminance=1.0)
+    return {
+        "asrc": {"clear": list(asrc_cie.CLEAR), "turbid": list(asrc_cie.TURBID)},
+        "brungerHooper": {name: plain(column) for name, column in columns("brunger_hooper_1993").items()},
+        "pokrowski": [usual.constant, usual.depth, float(NEAREST)],
     }
 
 
@@ -149,6 +171,7 @@ def tables() -> dict[str, Any]:
         "highest": HIGHEST,
         "efficacy": LUMINOUS_EFFICACY,
         "rayleigh": float(rayleigh_depth([550.0])[0]),
+        "seen": plain(seen()),
         "albedo": {"sky": USUAL_ALBEDO, "ground": GROUND_ALBEDO},
         "nodes": {"near": plain(near), "weight": plain(weight)},
         "limits": {
@@ -159,6 +182,9 @@ def tables() -> dict[str, Any]:
         "preetham": preetham(),
         "hosekWilkie": hosek_wilkie(),
         "perez": perez(),
+        "igawa": {name: plain(column) for name, column in columns("igawa_2014").items()},
+        "igawaMost": GREATEST_INDEX,
+        "older": older(),
         "disc": disc(),
         "networks": networks(),
         "sun": sun(),
@@ -172,12 +198,21 @@ def formula(language: Language) -> str:
     return "\n".join([channel_function(language, 0.0, COSINE_FLOOR), hosek, angle_function(language)])
 
 
+def held() -> dict[str, Any]:
+    """The code of the physical sky that reads its numbers, by language, and the size of the table among them."""
+    sky = model_named("physical").make(sd.direction(0.0, 0.5), {})
+    languages = ("glsl", "wgsl", "hlsl", "osl", "c")
+    texts = {lang: sd.shader(sky, lang=lang, uniforms=True) for lang in languages}
+    return {"heights": held_shader.HEIGHTS, "azimuths": held_shader.AZIMUTHS, "texts": texts}
+
+
 def texts() -> dict[str, str]:
     """The files by name."""
     note = "// Written by scripts/export_explorer.py from the package's own formulas.\n"
     inputs = json.dumps(INPUTS, indent=2)
     shaders = (
-        f"export const FORMULA = `\n{formula(GLSL)}\n`;\n\nexport const INPUTS: Record<string, string> = {inputs};\n"
+        f"export const FORMULA = `\n{formula(GLSL)}\n`;\n\nexport const INPUTS: Record<string, string> = {inputs};\n\n"
+        f"export const HELD = {json.dumps(held(), indent=2)};\n"
     )
     return {
         "tables.json": json.dumps(tables(), separators=(",", ":")) + "\n",

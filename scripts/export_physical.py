@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 import skydome as sd
+from skydome.air.named_airs import BACKGROUND_DEPTH, depth_of_turbidity
 from skydome.skies.all_air.sky import NODES, TERMS, PhysicalSky, series_of
 from skydome.skies.catalogue import model_named
 from skydome.skies.physical.cosine_series import LEAST_COSINE, view_nodes
@@ -25,7 +26,9 @@ SPANS = (
     (np.array([4, 5, 6, 7, 8.5, 10, 12, 14, 17, 20, 24, 28, 33, 38, 44, 50, 56, 62, 68, 74, 80, 85, 89.9]), 18, 18),
 )
 """Elevations of the sun, degrees, and the number of shapes of light scattered once and of the rest."""
-TURBIDITIES = np.array([1.001, 1.6, 2.4, 3.5, 5.0, 7.2, 10.0])
+TURBIDITIES = np.array([1.08, 1.6, 2.4, 3.5, 5.0, 7.2, 10.0])
+LEAST_HAZE = 1 + BACKGROUND_DEPTH / float(depth_of_turbidity(2.0))
+"""Turbidity of the stratosphere's aerosol alone: what is above it lies near the ground."""
 ALBEDOS = np.array([0.0, 0.3, 0.65, 1.0])
 TURNS = 17
 LIT = (0, 1, 3)
@@ -52,13 +55,13 @@ def on_turns(series: np.ndarray) -> np.ndarray:
 def fields_of(elevation: float, turbidity: float) -> dict[str, Any]:
     """Fields of one sun and air: once (nodes, turns, 3, 3), rest (albedos, nodes, turns, 3), lux, the sun as seen.
 
-    The aerosol's are for each turbidity above 1.
+    The aerosol's are for each turbidity above `LEAST_HAZE`.
     """
     model, sun = model_named("physical"), sd.direction(0.0, elevation * sd.deg)
     made = [model.make(sun, {"turbidity": turbidity, "albedo": albedo}) for albedo in ALBEDOS]
     held = made[0].held()
     return {
-        "once": on_turns(held.series[:, :, list(LIT)]) / np.array([1.0, turbidity - 1, 1.0])[:, None],
+        "once": on_turns(held.series[:, :, list(LIT)]) / np.array([1.0, turbidity - LEAST_HAZE, 1.0])[:, None],
         "rest": np.stack([on_turns(rest_series(sky)) for sky in made]),
         "lux": float(made[0].direct_normal_illuminance),
         "seen": float(sd.elevation(held.sun)) / sd.deg,
@@ -107,6 +110,7 @@ def table() -> dict[str, Any]:
     return {
         "turbidities": TURBIDITIES.tolist(),
         "albedos": ALBEDOS.tolist(),
+        "leastHaze": round(LEAST_HAZE, 6),
         "nodes": 32,
         "turns": TURNS,
         "leastCosine": LEAST_COSINE,

@@ -39,7 +39,7 @@ def page(rows: list[list[tuple[str, Image.Image]]], name: str) -> None:
         for i, (text, image) in enumerate(row):
             whole.paste(image, (i * WIDE, j * (HIGH + LINE) + LINE))
             write(draw, (i * WIDE + 4, j * (HIGH + LINE) + LINE // 2), text, size=11, anchor="lm")
-    keep(whole.quantize(128, dither=Image.Dither.FLOYDSTEINBERG), name)
+    keep(whole.quantize(palette=whole.quantize(160), dither=Image.Dither.FLOYDSTEINBERG), name)
 
 
 def kinds() -> None:

@@ -42,10 +42,13 @@ export default { render };
 const root = document.getElementById("skydome-explorer");
 if (root) {
   const settled = (query: string): void => history.replaceState(null, "", query + location.hash);
-  try {
-    const explorer = new Explorer(root, { query: location.search, settled });
-    Object.assign(root, { explorer });
-  } catch (error) {
-    root.textContent = error instanceof Error ? error.message : String(error);
-  }
+  const start = (): void => {
+    try {
+      Object.assign(root, { explorer: new Explorer(root, { query: location.search, settled }) });
+    } catch (error) {
+      root.textContent = error instanceof Error ? error.message : String(error);
+    }
+  };
+  root.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  requestAnimationFrame(() => setTimeout(start));
 }

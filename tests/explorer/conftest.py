@@ -42,9 +42,17 @@ class Page:
     def open(self, query=""):
         """Go to an address and wait for the first picture."""
         self.page.goto(self.address + query)
-        self.page.wait_for_function("document.getElementById('skydome-explorer').explorer?.took.length > 0")
+        self.wait_for("document.getElementById('skydome-explorer').explorer?.took.length > 0")
         self.settle()
         return self
+
+    def wait_for(self, expression):
+        """Wait until an expression is true: asked from outside, as the page's own policy forbids `eval` within."""
+        for _ in range(600):
+            if self.page.evaluate(expression):
+                return
+            self.page.wait_for_timeout(50)
+        raise TimeoutError(f"{expression} is not true after 30 s; the page said {self.said}")
 
     def settle(self):
         """Wait until the picture is at rest."""

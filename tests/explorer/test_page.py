@@ -7,7 +7,11 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.air.cross_sections import solar_irradiance
 from skydome.ground import exr
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.catalogue import model_named
+from skydome.skies.night.moon.lunar_light import BANDS, LunarLight
 
 pytestmark = pytest.mark.slow
 
@@ -45,6 +49,9 @@ def from_command(page, folder, height):
         "?sun=120.5,33.25&model=neural-hosek-wilkie-spectral&albedo=0.4&target=skylibs",
         f"{TURIN}&time=09:10&model=perez-all-weather&dni=640&dhi=95&target=usd",
         f"{TURIN}&time=12:30&model=cie-12&turbidity=2.8",
+        f"{TURIN}&time=10:30&model=perez&letters=-0.9,-0.2,6,-3.5,0.3&lux=15500&turbidity=2.4",
+        f"{TURIN}&time=17:00&model=harrison-coombes&cloud=0.35",
+        f"{TURIN}&time=17:00&model=uniform",
     ],
 )
 def test_a_file_is_what_the_command_writes(opened, tmp_path, query):
@@ -64,7 +71,16 @@ def test_its_python_runs_and_is_the_same_sky(opened, tmp_path, monkeypatch):
     np.testing.assert_allclose(found, wanted, rtol=1e-3)
 
 
-@pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "neural-hosek-wilkie-spectral"])
+def test_the_physical_skys_python_is_the_same_sky(opened, tmp_path, monkeypatch):
+    page = opened(f"{TURIN}&time=16:00&model=physical&aerosol=desert&ozone=300&turbidity=4")
+    monkeypatch.chdir(tmp_path)
+    exec(page.ask("explorer.words")["python"].replace("height=1024", "height=32"), {})
+    (tmp_path / "page.exr").write_bytes(base64.b64decode(page.page.evaluate(EXR, 32)))
+    wanted, found = exr.read(tmp_path / "sky.exr")[0][:16], exr.read(tmp_path / "page.exr")[0][:16]
+    assert np.quantile(np.abs(found / wanted - 1), 0.95) < 0.02
+
+
+@pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")
     code = """text => {
@@ -76,6 +92,17 @@ def test_its_shader_compiles(opened, model):
       return gl.getShaderInfoLog(shader);
     }"""
     assert page.page.evaluate(code, page.ask("explorer.words")["shader"]).strip("\0") == ""
+
+
+def test_the_physical_skys_shader_is_the_librarys(opened):
+    page = opened("?model=physical&sun=200,40&turbidity=3.4&albedo=0.35", viewport={"width": 480, "height": 360})
+    sky = model_named("physical").make(sd.direction(200 * sd.deg, 40 * sd.deg), {"turbidity": 3.4, "albedo": 0.35})
+    words, wanted = page.ask("explorer.words"), sd.shader_numbers(sky)
+    assert words["shader"] == sd.shader(sky, uniforms=True)
+    found = np.array(words["numbers"], np.float32)
+    np.testing.assert_allclose(found[:19], wanted[:19], rtol=1e-4, atol=1e-6)
+    found, wanted = (numbers[19:].reshape(-1, 12) for numbers in (found, wanted))
+    assert (np.abs(found - wanted).max(0) < 2e-2 * np.abs(wanted).max(0)).all()
 
 
 def drag_sun(page, dx, dy):
@@ -109,7 +136,8 @@ def test_an_address_comes_back_as_it_was(opened):
     query = (
         "?v=1&model=preetham&beside=cie-12&place=-33.868,151.207&zone=Australia/Sydney&date=2027-01-05&time=07:42"
         "&turbidity=4.2&view=panorama&look=95&show=luminance&ev=12.5&bar=2.5,4.5&wipe=0.3&path=no&analemma=yes"
-        "&target=three&theme=light"
+        "&target=three&theme=light&aerosol=desert&ozone=300&haze=visibility&moon=no&letters=-0.9,-0.2,6,-3.5,0.3&lux=9000"
+        "&share=0.4&clearness=0.6&cloud=0.2"
     )
     page = opened(query)
     state = page.ask("explorer.state")
@@ -158,6 +186,28 @@ def test_the_suns_place_is_the_librarys(opened):
         expected = sd.sun_direction(sd.Place(latitude, longitude), f"{day}T{minutes // 60:02d}:{minutes % 60:02d}Z")
         found = np.array(page.ask("explorer.scene.sun"))
         assert float(sd.angle_between(found, expected)) < 3e-4 * sd.deg
+
+
+def test_the_moon_is_the_librarys_and_so_is_its_light(opened):
+    page = opened("?model=physical&turbidity=3.4&albedo=0.35", viewport={"width": 480, "height": 360})
+    air = model_named("physical").air({"turbidity": 3.4, "albedo": 0.35})
+    rng = np.random.default_rng(7)
+    for _ in range(6):
+        latitude, longitude = float(rng.uniform(-70, 70)), float(rng.uniform(-180, 180))
+        day = f"20{rng.integers(10, 60):02d}-{rng.integers(1, 13):02d}-{rng.integers(1, 28):02d}"
+        hour, place = int(rng.integers(24)), sd.Place(latitude, longitude)
+        page.change(latitude=latitude, longitude=longitude, zone="Etc/GMT", date=day, minutes=60 * hour)
+        found, phase = page.ask("explorer.scene.moon"), sd.moon_phase(place, f"{day}T{hour:02d}:00Z")
+        assert float(sd.angle_between(np.array(found["toward"]), phase.direction)) < 0.02 * sd.deg
+        assert found["lit"] == pytest.approx(float(phase.illuminated), abs=1e-3)
+        assert found["waxing"] == bool(phase.waxing)
+        lux = LunarLight.of(phase).illuminance / (solar_irradiance(BANDS) @ xyz_weights(BANDS))[1]
+        assert found["light"][1] == pytest.approx(float(lux), rel=0.04), day
+    page.change(latitude=50.0, longitude=8.0, date="2026-01-03", minutes=22 * 60)
+    v, u = (np.arange(16) + 0.5) / 32 * np.pi, (np.arange(64) + 0.5) / 32 * np.pi
+    toward = np.asarray(sd.direction(u[None, :], np.pi / 2 - v[:, None]))
+    wanted = sd.Moonlight.over(sd.Place(50.0, 8.0), "2026-01-03T22:00Z", air).held().xyz(toward)
+    assert np.abs(page.xyz(32)[:16] - wanted).max() < 0.02 * wanted.max()
 
 
 HEAD = "LOCATION,{name},-,ITA,IWEC,160590,45.22,7.65,1.0,287.0\n" + "-\n" * 7

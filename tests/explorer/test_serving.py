@@ -74,5 +74,10 @@ def test_skies_have_addresses():
     assert address_of(sd.CIE(sun, type=12, zenith_luminance=3000.0)) == "?v=1&model=cie-12&sun=200,40"
     sky = sd.HosekWilkie(sun, 3.0)
     assert address_of(sky + sd.SunDisc.of(sky)).startswith("?v=1&model=hosek-wilkie&sun=200,40&turbidity=3")
+    air = sd.Atmosphere.urban(0.3, ozone=300.0, albedo=0.3)
+    told = address_of(sd.PhysicalSky(sun, air))
+    assert told.endswith("&albedo=0.3&turbidity=4.0907&aerosol=urban&ozone=300")
+    letters = sd.Perez(sun, -0.9, -0.2, 6.0, -3.5, 0.3, illuminance=9000.0)
+    assert address_of(letters).endswith("&letters=-0.9,-0.2,6,-3.5,0.3&lux=9000")
     with pytest.raises(TypeError, match="skydome models"):
         address_of(sd.blend(sky, sd.Uniform(1.0), 0.5))

@@ -20,7 +20,7 @@ export function mapPixels(renderer: Renderer, sky: Sky, ground: Vec3, height: nu
     pixels.set(rgb, 3 * k);
   }
   if (sky.disc) {
-    for (const [texel, xyz] of discOnMap(sky.disc, sky.sun, { height, left })) {
+    for (const [texel, xyz] of discOnMap(sky.disc, { height, left })) {
       times(matrix, xyz).forEach((value, c) => (pixels[3 * texel + c] += value));
     }
   }

@@ -80,11 +80,11 @@ function shares(ways: Vec3[], wanted: Vec3, weights: Vec3): [number[], number] {
 }
 
 /** XYZ in cd m-2 that the disc adds, by texel. */
-export function discOnMap(disc: Disc, sun: Vec3, layout: Layout): Map<number, Vec3> {
+export function discOnMap(disc: Disc, layout: Layout): Map<number, Vec3> {
   const { height, left } = layout;
   const texels = 2 * height * height;
   const count = Math.min(MOST, Math.max(LEAST, (PER_TEXEL * Math.PI * disc.radius ** 2) / ((4 * Math.PI) / texels)));
-  const { directions, light } = discPoints(disc, sun, Math.floor(count));
+  const { directions, light } = discPoints(disc, Math.floor(count));
   const spot: Spot = new Map();
   const [wanted, total] = [[0, 0, 0], { flux: 0 }];
   directions.forEach((toward, k) => {

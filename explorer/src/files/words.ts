@@ -4,16 +4,26 @@ import { FORMULA, INPUTS } from "../data/shaders";
 import { TABLES } from "../core/tables";
 import { networkBlock, networkText } from "../picture/shaders";
 import { zenithXYZ } from "../skies/light";
+import type { Model } from "../skies/model";
 import type { Sky } from "../skies/sky";
+import { SHAPE_TEXT } from "../skies/shaped";
 import { isoText } from "../sun/clock";
+import { heldText, type ShaderLanguage } from "./heldshader";
 import { sunAngles, type Scene } from "../page/scene";
 
 const short = (value: number, digits = 4): string => String(Number(value.toFixed(digits)));
 
+/** Models whose level is a usual one, and those whose turbidity is the sun's disc's (and that level's). */
+const isUsual = (model: Model): boolean => model.group === "Older skies" || model.name.startsWith("cie");
+const isOfDisc = (model: Model): boolean => isUsual(model) || model.name === "perez";
+
+/** Names in Python of what few models have. */
+const OWN: Record<string, string> = { lux: "illuminance", share: "diffuse_share", clearness: "clearness", cloud: "cloud" };
+
 /** The parameters of the first model, by their names in Python. */
 function parameters({ state, model, skies, distance }: Scene): Record<string, string> {
   const told: Record<string, string> = {};
-  if (model.turbidity && !model.name.startsWith("cie")) told.turbidity = short(limit(state.turbidity, model.turbidity), 2);
+  if (model.turbidity && !isOfDisc(model)) told.turbidity = short(limit(state.turbidity, model.turbidity), 2);
   if (model.albedo) told.albedo = short(state.albedo, 3);
   if (model.irradiance) {
     told.direct_normal_irradiance = short(state.dni, 1);
@@ -21,7 +31,9 @@ function parameters({ state, model, skies, distance }: Scene): Record<string, st
     told.dew_point = short(state.dew, 1);
     if (!state.sun) told.extraterrestrial_irradiance = short(TABLES.perez.solarConstant / distance ** 2, 3);
   }
-  if (model.name.startsWith("cie")) told.zenith_luminance = short(zenithXYZ(skies[0])[1], 2);
+  if (isUsual(model)) told[model.name === "uniform" ? "value" : "zenith_luminance"] = short(zenithXYZ(skies[0])[1], 2);
+  for (const name of model.own ?? []) if (name !== "air" && name !== "letters") told[OWN[name]] = short(state[name], 3);
+  if (model.own?.includes("letters")) state.letters.forEach((value, k) => (told["abcde"[k]] = short(value, 3)));
   if (/^cie-\d/.test(model.name)) told.type = model.name.slice(4);
   return told;
 }
@@ -30,7 +42,9 @@ const limit = (value: number, [low, high]: [number, number]): number => Math.min
 
 const CLASSES: Record<string, string> = {
   "hosek-wilkie": "HosekWilkie", "hosek-wilkie-rgb": "HosekWilkieRGB", preetham: "Preetham", "cie-clear": "CIEClear",
-  "perez-all-weather": "PerezAllWeather", physical: "PhysicalSky",
+  "perez-all-weather": "PerezAllWeather", physical: "PhysicalSky", igawa: "Igawa", "asrc-cie": "ASRCCIE", perez: "Perez",
+  "cie-intermediate": "CIEIntermediate", "matsuura-iwata": "MatsuuraIwata", "brunger-hooper": "BrungerHooper",
+  "harrison-coombes": "HarrisonCoombes", pokrowski: "Pokrowski", "moon-spencer": "MoonSpencer", uniform: "Uniform",
 };
 
 /** Python that makes the sky's map. */
@@ -42,12 +56,13 @@ export function asPython(scene: Scene): string {
     : `sd.sun_direction(sd.Place(${short(state.latitude)}, ${short(state.longitude)}), "${time}")`;
   const told = Object.entries(parameters(scene)).map(([name, value]) => `${name}=${value}`).join(", ");
   const neural = model.name.startsWith("neural-") ? model.name.slice(7) : "";
-  const kind = neural ? `${neural.endsWith("spectral") ? "NeuralSpectralSky" : "NeuralSky"}.load("${neural}", sun, ` : `${CLASSES[model.name] ?? "CIE"}(sun, `;
+  const under = model.name === "moon-spencer" || model.name === "uniform" ? "" : "sun, ";
+  const kind = neural ? `${neural.endsWith("spectral") ? "NeuralSpectralSky" : "NeuralSky"}.load("${neural}", sun, ` : `${CLASSES[model.name] ?? "CIE"}(${under}`;
   let sky = `sd.${kind}${told})`;
   if (model.name === "physical") sky = `sd.PhysicalSky(sun, ${physicalAir(scene)})`;
   if (scene.skies[0].notes.length) sky = `sd.Daylight(${sky})`;
   const when = state.sun ? "" : `, time="${time}"`;
-  const turbidity = model.name.startsWith("cie") ? `, turbidity=${short(state.turbidity, 2)}` : "";
+  const turbidity = isOfDisc(model) ? `, turbidity=${short(state.turbidity, 2)}` : "";
   const disc = scene.skies[0].disc ? ` + sd.SunDisc.of(sky${turbidity}${when})` : "";
   const albedo = model.albedo ? "" : `, ground_albedo=${short(scene.skies[0].ground, 3)}`;
   return [
@@ -56,11 +71,15 @@ export function asPython(scene: Scene): string {
   ].join("\n");
 }
 
-function physicalAir({ state }: Scene): string {
-  return `sd.clear_air(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)})`;
+function physicalAir({ state, distance }: Scene): string {
+  const kind = state.aerosol === "usual" ? "standard" : state.aerosol;
+  const ozone = state.ozone === 330 ? "" : `, ozone=${short(state.ozone, 0)}`;
+  const scale = state.sun ? "" : `, sun_scale=${short(distance ** -2, 5)}`;
+  return `sd.Atmosphere.${kind}(${short((state.turbidity - 1) * TABLES.rayleigh, 5)}, albedo=${short(state.albedo, 3)}${ozone}${scale})`;
 }
 
-const PYTHON_ONLY = ["type", "zenith_luminance", "extraterrestrial_irradiance"];
+const PYTHON_ONLY = ["type", "zenith_luminance", "value", "extraterrestrial_irradiance", ..."abcde"];
+const SET = ["diffuse_share", "clearness", "cloud"];
 const OPTIONS: Record<string, string> = { direct_normal_irradiance: "dni", diffuse_horizontal_irradiance: "dhi", dew_point: "dew-point" };
 
 /** The command line that makes the sky's map. */
@@ -70,8 +89,13 @@ export function asCommand(scene: Scene): string {
   const sun = state.sun ? `--sun ${sunAngles(scene.sun).map((value) => short(value)).join()}`
     : `--place ${short(state.latitude)},${short(state.longitude)} --time ${time}`;
   const told = Object.entries(parameters(scene)).filter(([name]) => !PYTHON_ONLY.includes(name))
-    .map(([name, value]) => `--${OPTIONS[name] ?? name} ${value}`);
-  const hazy = model.name.startsWith("cie") && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
+    .map(([name, value]) => (SET.includes(name) ? `--set ${name}=${value}` : `--${OPTIONS[name] ?? name} ${value}`));
+  if (model.own?.includes("letters")) told.push(`--letters=${state.letters.map((value) => short(value, 3)).join()}`);
+  if (model.own?.includes("air")) {
+    if (state.aerosol !== "usual") told.push(`--aerosol ${state.aerosol}`);
+    if (state.ozone !== 330) told.push(`--ozone ${short(state.ozone, 0)}`);
+  }
+  const hazy = isOfDisc(model) && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
   return ["skydome render", sun, `--model ${model.name}`, ...told, ...hazy, `--target ${state.target}`, "-o sky.exr"].join(" ") + "\n";
 }
 
@@ -80,13 +104,13 @@ const literal = (value: number): string => {
   return /[.e]/.test(text) ? text : `${text}.0`;
 };
 
-/** GLSL (WebGL 2): `vec3 skydome_rgb(vec3 direction)`, linear sRGB in which (1, 1, 1) is 1 cd m-2. */
-export function asShader(sky: Sky): string {
+/** `skydome_rgb(direction)`, linear sRGB in which (1, 1, 1) is 1 cd m-2: GLSL (WebGL 2); of the physical sky in each `language`. */
+export function asShader(sky: Sky, language: ShaderLanguage = "glsl"): string {
   const head = `// skydome ${TABLES.version}, ${sky.name}: linear sRGB toward a unit vector, x east, y north, z up; 1 = 1 cd m-2.`;
   const sun = `const vec3 sun = vec3(${sky.sun.map(literal).join(", ")});`;
   const matrix = TABLES.colour.srgbFromXYZ;
-  if (sky.recipe.kind === "fields") return FIELDS;
-  const body = sky.recipe.kind === "formula" ? formulaText(sky) : networkWords(sky);
+  if (sky.recipe.kind === "fields") return heldText(language);
+  const body = { formula: formulaText, network: networkWords, shaped: shapedText }[sky.recipe.kind](sky);
   const toRGB = `mat3(${[0, 1, 2].flatMap((c) => matrix.map((row) => literal(row[c]))).join(", ")})`;
   return [head, sun, body, `vec3 skydome_rgb(vec3 d) {\n    return d.z < 0.0 ? vec3(0.0) : ${toRGB} * sky_xyz(d);\n}`, ""].join("\n");
 }
@@ -118,8 +142,15 @@ function networkWords(sky: Sky): string {
   return networkText(recipe, INPUTS, `const vec4 W[${rows.length}] = vec4[${rows.length}](\n    ${rows.join(",\n    ")});`);
 }
 
-/** The page's own table is of no use outside it: how the command line writes the shader and the numbers that it reads. */
-const FIELDS = `// The shader of this sky reads a table, which the command line writes beside it:
-// skydome shader --lang glsl --uniforms numbers.json -o sky.glsl
-// with the sun, model and air of "Copy command".
-`;
+function shapedText({ recipe, day }: Sky): string {
+  if (recipe.kind !== "shaped") return "";
+  const white = recipe.white.map((value) => literal((day ? 1 : 0) * recipe.level * value)).join(", ");
+  return `${FORMULA}
+const float n[${recipe.numbers.length}] = float[${recipe.numbers.length}](${recipe.numbers.map(literal).join(", ")});
+${SHAPE_TEXT}
+vec3 sky_xyz(vec3 d) {
+    vec3 apart = d - sun;
+    float half_square = min(0.25 * dot(apart, apart), 1.0);
+    return vec3(${white}) * shape_at(max(d.z, 0.0), half_square, skydome_angle(half_square));
+}`;
+}

@@ -5,6 +5,7 @@ import { azimuth, elevation, DEG, type Vec3 } from "../core/vector";
 import { placeOf, type View } from "../picture/view";
 import { MODELS } from "../skies/catalogue";
 import { asCommand, asPython, asShader } from "../files/words";
+import { heldNumbers } from "../files/heldshader";
 import { analemma, dayPath } from "../sun/path";
 import { readAddress, writeAddress } from "./address";
 import type { Control } from "./controls";
@@ -63,6 +64,8 @@ export class Explorer {
     this.timeline = new Timeline(change, () => this.state);
     this.year = new Year(this);
     this.build();
+    this.theme();
+    this.stage.start();
     onKeys(this);
     if (read.refused.length) this.say(`Not understood in the address: ${read.refused.join(", ")}`);
     new ResizeObserver(() => this.change({}, true)).observe(this.stage.element);
@@ -89,12 +92,17 @@ export class Explorer {
     );
   }
 
+  /** Have a control follow the scene. */
+  followed(control: Control): void {
+    this.controls.push(control);
+  }
+
   /** Change the state; `dragging` while a hand moves it. */
   change(part: Partial<State>, dragging = false): void {
     Object.assign(this.state, part);
     if (!this.state.beside && this.state.show === "difference") this.state.show = "photo";
     clearTimeout(this.rest);
-    if (dragging) this.rest = window.setTimeout(() => this.schedule(false), REST);
+    if (dragging) this.rest = window.setTimeout(() => this.schedule(false), Math.max(REST, 5 * this.stage.late));
     this.schedule(dragging);
   }
 
@@ -143,7 +151,7 @@ export class Explorer {
     this.places.follow(this.scene);
     const dark = this.scene.skies.every((sky) => !sky.day);
     this.empty.hidden = !dark;
-    if (dark) tell(this.empty, this.scene.sun[2] > 0 ? "No light: the irradiances are 0" : "The sun has set: this model ends at the horizon");
+    if (dark) tell(this.empty, this.scene.sun[2] > 0 ? "No light: the irradiances are 0" : this.scene.model.lowest < 0 ? "Night without a moon: the command has the stars" : "The sun has set: this model ends at the horizon");
     if (this.pointer) this.ask(...this.pointer);
   }
 
@@ -200,8 +208,10 @@ export class Explorer {
   }
 
   /** The sky in the words of others. */
-  get words(): { python: string; command: string; shader: string } {
-    return { python: asPython(this.scene), command: asCommand(this.scene), shader: asShader(this.scene.skies[0]) };
+  get words(): { python: string; command: string; shader: string; numbers: number[] } {
+    const [{ recipe }] = this.scene.skies;
+    const numbers = recipe.kind === "fields" ? heldNumbers(recipe) : [];
+    return { python: asPython(this.scene), command: asCommand(this.scene), shader: asShader(this.scene.skies[0]), numbers };
   }
 
   /** The map as an OpenEXR file. */

@@ -20,7 +20,7 @@ export interface SliderChoices {
   limits(scene: Scene): [number, number];
   value(scene: Scene): number;
   text(value: number, scene: Scene): string;
-  change(value: number): Partial<State>;
+  change(value: number, scene: Scene): Partial<State>;
   shown?(scene: Scene): boolean;
 }
 
@@ -29,13 +29,15 @@ export function slider(choices: SliderChoices, change: Change): Control {
   const id = `sd-${++count}`;
   const output = h("output", { for: id });
   const input = h("input", { id, type: "range", step: choices.step });
-  input.addEventListener("input", () => change(choices.change(Number(input.value)), true));
+  let shown: Scene;
+  input.addEventListener("input", () => change(choices.change(Number(input.value), shown), true));
   input.addEventListener("change", () => change({}));
   const label = h("label", { for: id, title: choices.hint }, choices.label);
   const element = h("div", { class: "slider" }, label, output, input);
   return {
     element,
     follow(scene) {
+      shown = scene;
       element.hidden = choices.shown ? !choices.shown(scene) : false;
       const [low, high] = choices.limits(scene);
       const value = choices.value(scene);
@@ -85,7 +87,7 @@ export function select<K extends keyof State>(
 }
 
 /** A box to tick. */
-export function checkbox(label: string, name: "path" | "analemma", change: Change): Control {
+export function checkbox(label: string, name: "path" | "moon" | "analemma", change: Change): Control {
   const input = h("input", { type: "checkbox", change: () => change({ [name]: input.checked }) });
   const element = h("label", { class: "check" }, input, label);
   return { element, follow: (scene) => void (input.checked = scene.state[name]) };

@@ -138,7 +138,7 @@ export class Places {
     const key = `${state.latitude},${state.longitude},${style.color},${style.accentColor}`;
     if (key === this.drawn) return;
     this.drawn = key;
-    const context = this.map.getContext("2d")!;
+    const context = this.map.getContext("2d", { willReadFrequently: true })!;
     const { width, height } = this.map;
     context.clearRect(0, 0, width, height);
     context.fillStyle = style.color;

@@ -26,9 +26,10 @@ const degrees = (value: number): string => `${value.toFixed(1)}°`;
 /** The table of numbers, of one sky or of two. */
 export class Readout {
   private sun = h("p", { class: "sun-place" });
+  private moon = h("p", { class: "sun-place" });
   private head = h("thead");
   private body = h("tbody");
-  readonly element = h("div", {}, this.sun, h("table", { class: "numbers" }, this.head, this.body));
+  readonly element = h("div", {}, this.sun, this.moon, h("table", { class: "numbers" }, this.head, this.body));
   private note = h("p", { class: "notes" });
 
   constructor() {
@@ -38,6 +39,12 @@ export class Readout {
   show(scene: Scene, numbers: Numbers[]): void {
     const [turn, height] = sunAngles(scene.sun);
     tell(this.sun, `Sun ${degrees(turn)} azimuth, ${degrees(height)} elevation`);
+    const { moon } = scene;
+    this.moon.hidden = !moon || !scene.state.moon;
+    if (moon) {
+      const [along, high] = sunAngles(moon.toward);
+      tell(this.moon, `Moon ${degrees(along)}, ${degrees(high)}, ${(100 * moon.lit).toFixed(0)}\u00a0% lit, ${moon.waxing ? "waxing" : "waning"}`);
+    }
     const two = numbers.length > 1;
     this.head.replaceChildren();
     if (two) this.head.append(h("tr", {}, h("th"), ...scene.skies.map((sky) => h("th", { scope: "col" }, sky.name))));
@@ -93,7 +100,7 @@ export class Card {
   }
 
   private draw({ wavelengths, radiance }: Spectrum): void {
-    const context = this.plot.getContext("2d")!;
+    const context = this.plot.getContext("2d", { willReadFrequently: true })!;
     const { width, height } = this.plot;
     const [low, high] = [wavelengths[0], wavelengths[wavelengths.length - 1]];
     const most = Math.max(...radiance, 1e-12);

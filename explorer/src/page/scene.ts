@@ -1,11 +1,13 @@
 /** From the page's state to its skies: the sun's place, the models' light, exposure and numbers. */
 
 import { azimuth, DEG, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
-import { modelNamed, MODELS, skyOf, type Model } from "../skies/catalogue";
+import { modelNamed, MODELS, skyOf } from "../skies/catalogue";
+import type { Conditions, Model } from "../skies/model";
 import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
 import type { Sky } from "../skies/sky";
 import { instant } from "../sun/clock";
+import { moonOver, type Moon } from "../sun/moon";
 import { radiusAt, sunOver } from "../sun/position";
 import type { State } from "./state";
 
@@ -16,6 +18,8 @@ export interface Scene {
   sun: Vec3;
   /** Distance of the sun, AU; 1 where it is set by hand. */
   distance: number;
+  /** The moon of that hour; null under a sun set by hand. */
+  moon: Moon | null;
   model: Model;
   /** One sky, or two side by side. */
   skies: Sky[];
@@ -33,18 +37,25 @@ export const GREY = 0.18;
 /** Exposure value at ISO 100 of a luminance: log2(L 100 / 12.5). */
 export const EV_PER_LUMINANCE = 8;
 
+/** What the state's skies are made of under a sun. */
+export function conditionsOf(state: State, sun: Vec3, distance: number, given: Moon | null = null): Conditions {
+  const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, aerosol, ozone } = state;
+  const moon = state.sun || !state.moon ? null : given;
+  return { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, moon, air: { aerosol, ozone } };
+}
+
 /** The scene of a state. */
 export function sceneOf(state: State): Scene {
   const utc = instant(state.date, state.minutes, state.zone);
   const found = sunOver(state, utc);
   const sun = state.sun ? direction(state.sun[0] * DEG, state.sun[1] * DEG) : found.toward;
   const distance = state.sun ? 1 : found.distance;
-  const { turbidity, albedo, dni, dhi, dew } = state;
-  const conditions = { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew };
+  const moon = moonOver(state, utc);
+  const conditions = conditionsOf(state, sun, distance, moon);
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
-  return { state, utc, sun, distance, model, skies };
+  return { state, utc, sun, distance, moon: state.sun ? null : moon, model, skies };
 }
 
 /** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */
@@ -61,9 +72,10 @@ export function groundXYZ(sky: Sky, numbers: Numbers): Vec3 {
 /** Luminances over the dome, evenly by solid angle, for exposure and bars. */
 function luminances(sky: Sky): number[] {
   const found: number[] = [];
+  const lamp = azimuth(sky.disc?.toward ?? sky.sun);
   for (let ring = 0; ring < 6; ring++) {
     for (let turn = 0; turn < 12; turn++) {
-      const toward = direction(azimuth(sky.sun) + (turn + 0.5) * 30 * DEG, Math.asin((ring + 0.5) / 6));
+      const toward = direction(lamp + (turn + 0.5) * 30 * DEG, Math.asin((ring + 0.5) / 6));
       found.push(xyzToward(sky, toward)[1]);
     }
   }
@@ -72,10 +84,15 @@ function luminances(sky: Sky): number[] {
 
 /** The luminance, cd m-2, that a photographer would expose for: the sky's logarithmic mean. */
 export function middleLuminance(sky: Sky): number {
+  const known = middles.get(sky);
+  if (known !== undefined) return known;
   const found = luminances(sky);
-  if (!found.length) return 1000;
-  return Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length);
+  const middle = found.length ? Math.exp(found.reduce((total, value) => total + Math.log(value), 0) / found.length) : 1000;
+  middles.set(sky, middle);
+  return middle;
 }
+
+const middles = new WeakMap<Sky, number>();
 
 /** Luminance, cd m-2, below which a picture may look darker: dusk should not look like day. */
 const DUSK = 400;

@@ -1,6 +1,6 @@
 /** The picture and what is done to it by hand: the sun dragged, the panorama turned, the wipe moved, light asked. */
 
-import { azimuth, DEG, elevation, wrapped, type Vec3 } from "../core/vector";
+import { azimuth, DEG, elevation, limited, wrapped, type Vec3 } from "../core/vector";
 import { drawOver } from "../picture/overlay";
 import { Renderer, type Shown } from "../picture/renderer";
 import { domeView, panoramaView, placeOf, toward, type View } from "../picture/view";
@@ -9,8 +9,11 @@ import type { Change } from "./controls";
 import { h } from "./element";
 import type { Scene } from "./scene";
 
-/** Pixels of a picture that is drawn while something is dragged, at first. */
+/** Pixels of a picture that is drawn while something is dragged, at first; its light has so many times fewer each way. */
 const QUICK = 512 * 256;
+const COARSER = 2;
+/** Steps between the sizes of such a picture: a new size costs more than it saves. */
+const STEP = Math.SQRT1_2;
 
 export interface Lines {
   path: Line | null;
@@ -28,15 +31,16 @@ export class Stage {
     "aria-label": "The sky. Arrow keys move the sun; Shift makes larger steps.",
   });
   readonly element = h("div", { class: "stage" }, this.canvas, this.over);
-  readonly renderer: Renderer;
+  renderer!: Renderer;
   private scene: Scene | null = null;
   private grip: Grip = null;
   private from: [number, number, number] = [0, 0, 0];
   private quick = QUICK;
   private last = 0;
+  /** Milliseconds between frames while something moves, lately. */
+  late = 28;
 
   constructor(private change: Change, private asked: Asked, private redraw: () => void) {
-    this.renderer = new Renderer(this.canvas);
     this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     this.canvas.addEventListener("webglcontextrestored", () => {
       this.renderer.restart();
@@ -47,6 +51,14 @@ export class Stage {
     for (const name of ["pointerup", "pointercancel"] as const) this.over.addEventListener(name, () => this.release());
     this.over.addEventListener("pointerleave", () => this.grip ?? this.asked(null, 0, 0, false));
     this.over.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** Begin to draw, once the page has its size: a canvas whose size changes later makes the graphics wait. */
+  start(): void {
+    const { width, height } = this.over.getBoundingClientRect();
+    const dense = Math.min(devicePixelRatio || 1, 2);
+    resize(this.canvas, width * dense, height * dense);
+    this.renderer = new Renderer(this.canvas);
   }
 
   get dragging(): boolean {
@@ -70,14 +82,14 @@ export class Stage {
     const scale = moving ? Math.min(dense, Math.sqrt(this.quick / (width * height))) : dense;
     resize(this.canvas, width * scale, height * scale);
     const view = this.view(scene);
-    this.renderer.draw(scene.skies, view, shown);
+    this.renderer.draw(scene.skies, view, shown, moving ? COARSER : 1);
     resize(this.over, width * dense, height * dense);
-    const context = this.over.getContext("2d")!;
+    const context = this.over.getContext("2d", { willReadFrequently: true })!;
     context.setTransform(dense, 0, 0, dense, 0, 0);
     const two = scene.skies.length > 1 && scene.state.show !== "difference";
     const labels = scene.skies.map((sky) => sky.name) as [string, string];
     drawOver(context, {
-      view, width, height, sun: scene.sun, ...lines, wipe: two ? scene.state.wipe : null, labels: two ? labels : null, ink,
+      view, width, height, sun: scene.sun, moon: scene.state.moon ? scene.moon : null, ...lines, wipe: two ? scene.state.wipe : null, labels: two ? labels : null, ink,
       held: this.grip === "sun",
     });
   }
@@ -87,9 +99,15 @@ export class Stage {
     const now = performance.now();
     const took = now - this.last;
     this.last = now;
-    if (took > 200) return;
-    if (took > 36) this.quick = Math.max(this.quick * 0.8, 160 * 80);
-    else if (took < 20) this.quick = Math.min(this.quick * 1.15, 4e6);
+    if (took > 1000) return;
+    this.late = 0.8 * this.late + 0.2 * Math.min(took, 100);
+    if (this.late > 36) this.quicker(STEP);
+    else if (this.late < 20) this.quicker(1 / STEP);
+  }
+
+  private quicker(factor: number): void {
+    this.quick = limited(this.quick * factor, 256 * 128, 4e6);
+    this.late = 28;
   }
 
   private place(event: PointerEvent): [number, number, number, number] {

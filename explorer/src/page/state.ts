@@ -1,6 +1,7 @@
 /** What the page shows, as plain values; and each value's way into the address and back. */
 
 import { isZone } from "../sun/clock";
+import { AEROSOLS } from "../skies/physical/airs";
 import { modelNamed } from "../skies/catalogue";
 
 export interface State {
@@ -22,6 +23,16 @@ export interface State {
   dni: number;
   dhi: number;
   dew: number;
+  letters: number[];
+  lux: number;
+  share: number;
+  clearness: number;
+  cloud: number;
+  /** Kind of aerosol, and Dobson units of ozone, of the physical sky. */
+  aerosol: string;
+  ozone: number;
+  /** In what haze is told: turbidity, kilometres that one sees, or the aerosol's optical depth at 550 nm. */
+  haze: "turbidity" | "visibility" | "depth";
   view: "dome" | "panorama";
   /** Azimuth in the middle of the panorama, degrees. */
   look: number;
@@ -32,6 +43,8 @@ export interface State {
   bar: [number, number] | null;
   wipe: number;
   path: boolean;
+  /** Whether the moon is shown, and lights the physical sky at night. */
+  moon: boolean;
   analemma: boolean;
   target: string;
   theme: "" | "dark" | "light";
@@ -44,7 +57,8 @@ export const VERSION = 1;
 export const USUAL: State = {
   model: "hosek-wilkie", beside: "", latitude: 45.07, longitude: 7.687, zone: "Europe/Rome", name: "Turin, Italy",
   date: "2026-06-21", minutes: 18 * 60 + 30, sun: null, turbidity: 3, albedo: 0.2, dni: 700, dhi: 120, dew: 11,
-  view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, analemma: false,
+  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, aerosol: "usual", ozone: 330, haze: "turbidity",
+  view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, moon: true, analemma: false,
   target: "native", theme: "", url: "",
 };
 
@@ -60,8 +74,11 @@ export const TARGETS: Record<string, { left: number; note: string }> = {
 
 export const LIMITS: Record<string, [number, number]> = {
   latitude: [-90, 90], longitude: [-180, 180], turbidity: [1, 10], albedo: [0, 1], dni: [0, 1200], dhi: [0, 800],
-  dew: [-30, 40], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
+  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], ozone: [200, 480], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
 };
+
+/** Limits of Perez's letters, within which his sky is nowhere below 0. */
+export const LETTER_LIMITS: [number, number][] = [[-1, 5], [-2, 0], [0, 30], [-8, 0], [-0.5, 2]];
 
 /** A finite number in its limits, undefined for anything else. */
 function within(name: string, text: string): number | undefined {
@@ -92,7 +109,7 @@ function choice<K extends keyof State>(name: K, allowed: (text: string) => boole
   };
 }
 
-function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "look" | "wipe", digits = 2): Entry {
+function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "ozone" | "look" | "wipe", digits = 2): Entry {
   return {
     key: name,
     read: (text) => {
@@ -103,7 +120,7 @@ function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "look" |
   };
 }
 
-function switched(name: "path" | "analemma"): Entry {
+function switched(name: "path" | "moon" | "analemma"): Entry {
   return {
     key: name,
     read: (text) => (text === "yes" || text === "no" ? { [name]: text === "yes" } : undefined),
@@ -161,6 +178,17 @@ export const ENTRIES: Entry[] = [
     write: ({ sun }) => (sun ? sun.map((value) => round(value, 2)).join() : ""),
   },
   numeric("turbidity"), numeric("albedo"), numeric("dni", 1), numeric("dhi", 1), numeric("dew", 1),
+  {
+    key: "letters",
+    read: (text) => {
+      const found = text.split(",").map((part) => (part.trim() === "" ? NaN : Number(part)));
+      const inside = found.length === 5 && found.every((value, k) => value >= LETTER_LIMITS[k][0] && value <= LETTER_LIMITS[k][1]);
+      return inside ? { letters: found } : undefined;
+    },
+    write: ({ letters }) => letters.map((value) => round(value, 3)).join(),
+  },
+  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
+  choice("haze", oneOf("turbidity", "visibility", "depth")),
   choice("view", oneOf("dome", "panorama")), numeric("look", 1),
   choice("show", oneOf("photo", "luminance", "difference")),
   {
@@ -180,7 +208,7 @@ export const ENTRIES: Entry[] = [
     },
     write: ({ bar }) => (bar ? bar.map((value) => round(value, 2)).join() : "auto"),
   },
-  numeric("wipe"), switched("path"), switched("analemma"),
+  numeric("wipe"), switched("path"), switched("moon"), switched("analemma"),
   choice("target", (text) => Object.hasOwn(TARGETS, text)), choice("theme", oneOf("", "dark", "light")),
   choice("url", (text) => text === "" || isLocalPath(text)),
 ];

@@ -5,6 +5,7 @@ import { DEG } from "../core/vector";
 import { chromaticities, exrFile, floatAttribute, latlong, textAttribute, type Attribute } from "../files/exr";
 import { EFFICACY, hdrFile } from "../files/hdr";
 import { mapPixels } from "../files/map";
+import { heldNumbers, LANGUAGES, type ShaderLanguage } from "../files/heldshader";
 import { withText } from "../files/png";
 import { asCommand, asPython, asShader } from "../files/words";
 import { isoText, offsetMinutes } from "../sun/clock";
@@ -102,12 +103,21 @@ export function takeAway(explorer: Explorer): HTMLElement {
   const saved = (work: () => Promise<void> | void) => (): void => {
     void Promise.resolve().then(work).catch((error: unknown) => explorer.say(error instanceof Error ? error.message : String(error)));
   };
+  const language = h("select", { "aria-label": "Shading language", class: "small" }, ...LANGUAGES.map((name) => h("option", { value: name }, name.toUpperCase())));
+  const numbers = h("button", { type: "button", title: "The numbers that the shader reads, a JSON list of floats", click: saved(() => {
+    const { recipe } = explorer.scene.skies[0];
+    if (recipe.kind !== "fields") return;
+    const text = JSON.stringify(heldNumbers(recipe).map((value) => Number(value.toPrecision(9))));
+    download(new TextEncoder().encode(text), "numbers.json", "application/json");
+  }) }, "Shader numbers");
+  explorer.followed({ element: numbers, follow: ({ skies }) => void (language.hidden = numbers.hidden = skies[0].recipe.kind !== "fields") });
   const button = (text: string, title: string, click: () => void): HTMLElement => h("button", { type: "button", title, click }, text);
   return section("Take away",
     h("div", { class: "buttons" },
       button("Copy Python", "The sky in Python", copied("Python", () => asPython(explorer.scene))),
       button("Copy command", "The command that renders the map", copied("Command", () => asCommand(explorer.scene))),
-      button("Copy shader", "GLSL of this sky", copied("Shader", () => asShader(explorer.scene.skies[0])))),
+      button("Copy shader", "Code of this sky: GLSL; the physical sky's in the language beside, which reads its numbers",
+        copied("Shader", () => asShader(explorer.scene.skies[0], language.value as ShaderLanguage))), language, numbers),
     h("div", { class: "field" }, h("span", { class: "label" }, "Map"), size),
     h("div", { class: "buttons" },
       button("EXR", "Linear float map, RGB in cd/m²", saved(async () => download(await exrOf(explorer, rows()), `${name()}.exr`, "image/x-exr"))),

@@ -5,10 +5,10 @@ import { azimuth, direction, elevation, limited, times, type Vec3 } from "../cor
 import { modelNamed, MODELS, skyOf } from "../skies/catalogue";
 import { xyzToward } from "../skies/light";
 import { clockText, dateOfDay, dayOfYear, daysInYear, instant, offsetMinutes, offsetText } from "../sun/clock";
-import { radiusAt, sunOver } from "../sun/position";
+import { sunOver } from "../sun/position";
 import type { Change } from "./controls";
 import { h, icon, tell } from "./element";
-import { exposureOf, usualEV, type Scene } from "./scene";
+import { conditionsOf, exposureOf, usualEV, type Scene } from "./scene";
 import type { State } from "./state";
 
 const STEPS = 72;
@@ -81,25 +81,42 @@ export class Timeline {
 
   /** The colour high in the sky, away from the sun, through the day, on the track. */
   private paint(state: State): void {
-    const { latitude, longitude, date, zone, model, turbidity, albedo, dni, dhi, dew } = state;
-    const key = [latitude, longitude, date, zone, model, turbidity, albedo].join();
+    const { minutes, sun, look, ev, bar, wipe, ...rest } = state;
+    const key = JSON.stringify(rest);
     if (key === this.drawn) return;
     this.drawn = key;
-    const start = instant(date, 0, zone);
-    const context = this.picture.getContext("2d")!;
-    const made = modelNamed(model) ?? MODELS[0];
-    for (let k = 0; k < STEPS; k++) {
-      const { toward, distance } = sunOver(state, start + ((k + 0.5) / STEPS) * 86400e3);
-      const sky = skyOf(made, { sun: toward, radius: radiusAt(distance), distance, turbidity, albedo, dni, dhi, dew });
-      const exposure = exposureOf(Math.max(usualEV(sky), 6));
-      for (const [row, height] of [[0, 50], [1, 8]]) {
-        const view = direction(azimuth(toward) + 1, (height * Math.PI) / 180);
-        context.fillStyle = sky.day && elevation(toward) > -0.1 ? css(xyzToward(sky, view), exposure) : night(elevation(toward));
-        context.fillRect(k, row, 1, 1);
-      }
+    const given = { ...state };
+    let k = 0;
+    const some = (until: number): void => {
+      do {
+        if (k === STEPS || this.drawn !== key) return;
+        this.paintStep(given, k++);
+      } while (performance.now() < until);
+      idle(some);
+    };
+    idle(some);
+  }
+
+  /** One part of the day on the track. */
+  private paintStep(state: State, k: number): void {
+    const context = this.picture.getContext("2d", { willReadFrequently: true })!;
+    const utc = instant(state.date, 0, state.zone) + ((k + 0.5) / STEPS) * 86400e3;
+    const { toward, distance } = sunOver(state, utc);
+    const sky = skyOf(modelNamed(state.model) ?? MODELS[0], conditionsOf(state, toward, distance));
+    const exposure = exposureOf(Math.max(usualEV(sky), 6));
+    for (const [row, height] of [[0, 50], [1, 8]]) {
+      const view = direction(azimuth(toward) + 1, (height * Math.PI) / 180);
+      context.fillStyle = sky.day && elevation(toward) > -0.1 ? css(xyzToward(sky, view), exposure) : night(elevation(toward));
+      context.fillRect(k, row, 1, 1);
     }
   }
 }
+
+/** Call when nothing else is to be done, with the moment until which that holds. */
+const idle = (work: (until: number) => void): void => {
+  if ("requestIdleCallback" in window) requestIdleCallback((given) => work(performance.now() + given.timeRemaining() - 8), { timeout: 200 });
+  else setTimeout(() => work(performance.now() + 10), 16);
+};
 
 function scale(marks: string[]): HTMLElement {
   return h("div", { class: "scale", "aria-hidden": "true" }, ...marks.map((text) => h("span", {}, text.slice(0, 1), h("i", {}, text.slice(1)))));

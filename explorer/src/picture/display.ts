@@ -95,20 +95,21 @@ vec3 difference(vec3 a, vec3 b) {
 }
 void main() {
     vec3 d = toward();
-    ivec2 texel = ivec2(gl_FragCoord.xy);
-    vec4 a = texelFetch(first, texel, 0);
-    vec4 b = two ? texelFetch(second, texel, 0) : a;
+    vec2 place = vec2(uv.x, 1.0 - uv.y);
+    vec3 a = texture(first, place).xyz;
+    vec3 b = two ? texture(second, place).xyz : a;
     bool right = two && uv.x > wipe;
-    vec4 light = right ? b : a;
+    bool outside = dome && length(dome_plane()) > 1.0;
+    bool sky = d.z >= 0.0 && !outside;
     float edge = dome ? 1.0 - smoothstep(1.0 - pixel / 1.57, 1.0, length(dome_plane())) : 1.0;
     vec3 ground = grounds[right ? 1 : 0];
-    vec3 xyz = light.w > 0.5 ? light.xyz : ground;
+    vec3 xyz = sky ? (right ? b : a) : ground;
     vec3 shown;
     if (mode == 0) shown = photograph(xyz + sunlight(d, suns[right ? 1 : 0]));
-    else if (light.w <= 0.5) shown = vec3(0.16);
+    else if (!sky) shown = vec3(0.16);
     else if (mode == 1) shown = false_colour(xyz);
-    else shown = difference(a.xyz, b.xyz);
-    if (dome && light.w < -0.5) shown = paper;
+    else shown = difference(a, b);
+    if (outside) shown = paper;
     float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
     colour = vec4(mix(paper, shown + (mode == 0 ? grain / 255.0 : 0.0), edge), 1.0);
 }

@@ -2,6 +2,7 @@
 
 import { DEG, direction, elevation, type Vec3 } from "../core/vector";
 import type { Line } from "../sun/path";
+import type { Moon } from "../sun/moon";
 import { placeOf, type View } from "./view";
 
 const COMPASS: [string, number][] = [["N", 0], ["NE", 45], ["E", 90], ["SE", 135], ["S", 180], ["SW", 225], ["W", 270], ["NW", 315]];
@@ -11,6 +12,7 @@ export interface Over {
   width: number;
   height: number;
   sun: Vec3;
+  moon: Moon | null;
   path: Line | null;
   analemma: Line | null;
   wipe: number | null;
@@ -31,6 +33,7 @@ export function drawOver(context: CanvasRenderingContext2D, over: Over): void {
   if (over.analemma) line(context, over, over.analemma, "rgba(255,255,255,0.75)", [1, 5], false);
   if (over.path) line(context, over, over.path, "rgba(255,214,150,0.95)", [], true);
   compass(context, over);
+  if (over.moon) moon(context, over, over.moon);
   holder(context, over);
   if (over.wipe !== null) wipe(context, over);
 }
@@ -60,8 +63,9 @@ function rings(context: CanvasRenderingContext2D, over: Over): void {
 
 function ringLabel(over: Over, height: number): [number, number] {
   if (!over.view.dome) return [18, at(over, direction(over.view.left, height * DEG))[1] - 9];
-  const [x, y] = at(over, direction(135 * DEG, height * DEG));
-  return [x - 4, y + 4];
+  const southward = over.path?.points[72] ?? [0, -1, 0];
+  const [x, y] = at(over, direction((southward[1] < 0 ? 45 : 135) * DEG, height * DEG));
+  return [x - 4, y + (southward[1] < 0 ? -4 : 4)];
 }
 
 function compass(context: CanvasRenderingContext2D, over: Over): void {
@@ -151,6 +155,18 @@ function holder(context: CanvasRenderingContext2D, over: Over): void {
     context.stroke();
   }
   context.setLineDash([]);
+}
+
+/** A ring about the moon, above the horizon. */
+function moon(context: CanvasRenderingContext2D, over: Over, { toward }: Moon): void {
+  if (toward[2] < 0) return;
+  const [x, y] = at(over, toward);
+  context.strokeStyle = "rgba(210,222,245,0.6)";
+  context.lineWidth = 1;
+  context.beginPath();
+  context.arc(x, y, 9, 0, 7);
+  context.stroke();
+  label(context, "moon", x, y + 18, 10, "rgba(210,222,245,0.8)", true);
 }
 
 function wipe(context: CanvasRenderingContext2D, over: Over): void {

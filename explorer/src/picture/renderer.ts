@@ -2,7 +2,7 @@
 
 import { TABLES } from "../core/tables";
 import type { Vec3 } from "../core/vector";
-import { ROWS, TURNS } from "../skies/grid";
+import { ROWS, TURNS } from "../skies/physical/grid";
 import type { Fields, Sky } from "../skies/sky";
 import { display } from "./display";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";
@@ -34,7 +34,8 @@ export class Renderer {
   private uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
   private targets: (Target | null)[] = [null, null, null];
   private block: WebGLBuffer | null = null;
-  private grid: WebGLTexture | null = null;
+  private grids: (WebGLTexture | null)[] = [null, null];
+  private linear = false;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, powerPreference: "low-power" });
@@ -49,11 +50,11 @@ export class Renderer {
     this.programs.clear();
     this.uniforms.clear();
     this.targets = [null, null, null];
-    this.grid = null;
+    this.grids = [null, null];
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
-    gl.getExtension("OES_texture_float_linear");
+    this.linear = gl.getExtension("OES_texture_float_linear") !== null;
     const corners = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, corners);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 3, -1, -1, 3]), gl.STATIC_DRAW);
@@ -101,7 +102,8 @@ export class Renderer {
     const texture = gl.createTexture()!;
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    const smooth = this.linear ? gl.LINEAR : gl.NEAREST;
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, smooth);
     for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
     const framebuffer = gl.createFramebuffer()!;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -120,14 +122,15 @@ export class Renderer {
     gl.uniform3f(this.at(program, "sun"), ...sun);
   }
 
-  /** The sky's XYZ toward every pixel into a float texture. */
-  private light(slot: number, sky: Sky, view: View, width: number, height: number): Target {
+  /** The sky's XYZ toward every pixel into a float texture; below the horizon 0 where `masked`, else as at it. */
+  private light(slot: number, sky: Sky, view: View, width: number, height: number, masked: boolean): Target {
     const { gl } = this;
     const target = this.target(slot, width, height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     gl.viewport(0, 0, width, height);
     const program = this.program(programKey(sky.recipe), () => skyShader(sky.recipe));
     this.useView(program, view, sky.sun);
+    gl.uniform1i(this.at(program, "masked"), Number(masked));
     this.tell(program, sky);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     return target;
@@ -150,38 +153,51 @@ export class Renderer {
       gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.block);
       gl.bufferData(gl.UNIFORM_BUFFER, networkBlock({ ...recipe, toXYZ: lit }), gl.DYNAMIC_DRAW);
       gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Weights"), 0);
+    } else if (recipe.kind === "shaped") {
+      gl.uniform1fv(this.at(program, "n"), recipe.numbers);
+      gl.uniform3fv(this.at(program, "white"), recipe.white.map((value) => dark * recipe.level * value));
     } else this.tellFields(program, recipe, dark);
   }
 
-  private tellFields(program: WebGLProgram, fields: Fields, dark: number): void {
+  private tellFields(program: WebGLProgram, fields: Fields, lit: number): void {
     const { gl } = this;
-    const texels = new Float32Array(ROWS * TURNS * 16);
-    for (let cell = 0; cell < ROWS * TURNS; cell++) {
-      for (let k = 0; k < 4; k++) {
-        for (let c = 0; c < 3; c++) texels[16 * cell + 4 * k + c] = dark * fields.grid[12 * cell + 3 * k + c];
-      }
-    }
-    gl.activeTexture(gl.TEXTURE0);
-    if (!this.grid) {
-      this.grid = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, this.grid);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4 * TURNS, ROWS);
-      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-    } else gl.bindTexture(gl.TEXTURE_2D, this.grid);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGBA, gl.FLOAT, texels);
-    gl.uniform1i(this.at(program, "grid"), 0);
+    const { moonlit } = fields;
+    this.bindGrid(0, fields.grid);
+    if (moonlit || !this.grids[1]) this.bindGrid(1, (moonlit ?? fields).grid);
+    gl.uniform1f(this.at(program, "lit"), lit);
+    gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
+    gl.uniform1i(this.at(program, "grid"), 2);
+    gl.uniform1i(this.at(program, "moon_grid"), 3);
+    const [lobe] = fields.laws[1].lobes;
+    gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);
+    gl.uniform3f(this.at(program, "moon_seen"), ...(moonlit ?? fields).seen);
+    gl.activeTexture(gl.TEXTURE0);
   }
 
-  /** Draw one sky, or two side by side, on the canvas. */
-  draw(skies: Sky[], view: View, shown: Shown): void {
+  /** The fields under a lamp, of the sun (0) or the moon (1), on a texture unit of their own. */
+  private bindGrid(lamp: number, grid: Float32Array): void {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE2 + lamp);
+    if (!this.grids[lamp]) {
+      this.grids[lamp] = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGB32F, 4 * TURNS, ROWS);
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    } else gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGB, gl.FLOAT, grid);
+  }
+
+  /** Draw one sky, or two side by side, on the canvas; their light so many times coarser each way. */
+  draw(skies: Sky[], view: View, shown: Shown, coarser = 1): void {
     const { gl } = this;
     const { width, height } = this.canvas;
-    const lit = skies.map((sky, slot) => this.light(slot, sky, view, width, height));
+    const [w, t] = [Math.ceil(width / coarser), Math.ceil(height / coarser)];
+    const lit = skies.map((sky, slot) => this.light(slot, sky, view, w, t, false));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
     const program = this.program(`display ${shown.mode}`, () => display(shown.mode));
-    this.useView(program, view, skies[0].sun);
+    this.useView(program, view, skies[0].disc?.toward ?? skies[0].sun);
     lit.forEach((target, k) => {
       gl.activeTexture(gl.TEXTURE0 + k);
       gl.bindTexture(gl.TEXTURE_2D, target.texture);
@@ -207,7 +223,7 @@ export class Renderer {
   /** XYZ and mask (1 sky, 0 below the horizon, -1 outside), four numbers a pixel, row by row from the top. */
   read(sky: Sky, view: View, width: number, height: number): Float32Array {
     const { gl } = this;
-    this.light(2, sky, view, width, height);
+    this.light(2, sky, view, width, height, true);
     const flipped = new Float32Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, flipped);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

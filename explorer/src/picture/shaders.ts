@@ -1,7 +1,8 @@
 /** The shaders: a sky's XYZ toward every pixel, and the picture made of one or two of them. */
 
 import { FORMULA, INPUTS } from "../data/shaders";
-import { ROWS, TURNS } from "../skies/grid";
+import { ROWS, TURNS } from "../skies/physical/grid";
+import { SHAPE_NUMBERS, SHAPE_TEXT } from "../skies/shaped";
 import type { Fields, Law, Network, Recipe } from "../skies/sky";
 import { DOME_SIZE } from "./view";
 
@@ -48,11 +49,14 @@ vec3 toward() {
 `;
 
 const SKY_MAIN = `
+uniform bool masked;
 out vec4 light;
 void main() {
     vec3 d = toward();
     bool outside = dome && length(dome_plane()) > 1.0;
-    light = outside ? vec4(0.0, 0.0, 0.0, -1.0) : d.z < 0.0 ? vec4(0.0) : vec4(sky_xyz(d), 1.0);
+    if (masked && (outside || d.z < 0.0)) { light = vec4(0.0, 0.0, 0.0, outside ? -1.0 : 0.0); return; }
+    if (dome && length(dome_plane()) > 1.05) { light = vec4(0.0); return; }
+    light = vec4(sky_xyz(d), 1.0);
 }
 `;
 
@@ -149,21 +153,29 @@ function phaseText(law: Law): string {
   return [`${n(law.constant)} + ${n(law.square)} * squared`, ...lobes].join(" + ");
 }
 
+/** Which of the laws is the aerosol's, which changes with its kind. */
+const AEROSOL = 1;
+
 /** GLSL of a physical sky: four taps in a table of fields. */
 function fieldsSky(fields: Fields): string {
   return `
 uniform sampler2D grid;
+uniform sampler2D moon_grid;
 uniform vec3 seen;
+uniform vec3 moon_seen;
+uniform float lit;
+uniform bool moonlit;
+uniform vec3 haze;
 float lobe(float a, float b, float g, float away, float squared) {
     float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
     return (a + b * squared) / (gap * sqrt(gap));
 }
-vec3 cell(int row, int turn, vec4 shapes) {
+vec3 cell(sampler2D grid, int row, int turn, vec4 shapes) {
     vec3 light = vec3(0.0);
     for (int k = 0; k < 4; k++) light += shapes[k] * texelFetch(grid, ivec2(4 * turn + k, row), 0).rgb;
     return light;
 }
-vec3 sky_xyz(vec3 d) {
+vec3 of_lamp(sampler2D grid, vec3 seen, vec3 d) {
     float up = clamp(d.z, ${fields.leastCosine.toFixed(6)}, 1.0);
     float row = sqrt(max(0.0, 1.0 - skydome_angle(0.5 * (1.0 - up)) / ${Math.acos(fields.leastCosine).toFixed(9)})) * ${(ROWS - 1).toFixed(1)};
     float level = d.x * seen.x + d.y * seen.y;
@@ -172,11 +184,26 @@ vec3 sky_xyz(vec3 d) {
     float a = row - float(i), b = turn - float(j);
     vec3 apart = d - seen;
     float away = 0.5 * dot(apart, apart), squared = (1.0 - away) * (1.0 - away);
-    vec4 shapes = vec4(${fields.laws.map(phaseText).join(", ")}, 1.0);
-    return mix(mix(cell(i, j, shapes), cell(i, j + 1, shapes), b), mix(cell(i + 1, j, shapes), cell(i + 1, j + 1, shapes), b), a);
+    vec4 shapes = vec4(${fields.laws.map((law, k) => (k === AEROSOL ? "lobe(haze.x, haze.y, haze.z, away, squared)" : phaseText(law))).join(", ")}, 1.0);
+    return mix(mix(cell(grid, i, j, shapes), cell(grid, i, j + 1, shapes), b), mix(cell(grid, i + 1, j, shapes), cell(grid, i + 1, j + 1, shapes), b), a);
+}
+vec3 sky_xyz(vec3 d) {
+    vec3 light = of_lamp(grid, seen, d);
+    return lit * (moonlit ? light + of_lamp(moon_grid, moon_seen, d) : light);
 }
 `;
 }
+
+const SHAPED_SKY = `
+uniform float n[${SHAPE_NUMBERS}];
+uniform vec3 white;
+${SHAPE_TEXT}
+vec3 sky_xyz(vec3 d) {
+    vec3 apart = d - sun;
+    float half_square = min(0.25 * dot(apart, apart), 1.0);
+    return white * shape_at(max(d.z, 0.0), half_square, skydome_angle(half_square));
+}
+`;
 
 const block = (network: Network): string =>
   `layout(std140) uniform Weights { vec4 W[${networkBlock(network).length / 4}]; };`;
@@ -184,7 +211,7 @@ const block = (network: Network): string =>
 /** Name of the program that a recipe needs: recipes of one name differ by uniforms alone. */
 export function programKey(recipe: Recipe): string {
   if (recipe.kind === "formula") return recipe.hosek ? "hosek" : "formula";
-  if (recipe.kind === "fields") return "fields";
+  if (recipe.kind === "fields" || recipe.kind === "shaped") return recipe.kind;
   return `network ${recipe.inputs.join()} ${recipe.layers.map((rows) => rows.length).join()} ${recipe.exponential}`;
 }
 
@@ -192,6 +219,7 @@ export function programKey(recipe: Recipe): string {
 export function skyShader(recipe: Recipe): string {
   if (recipe.kind === "network") return HEAD + networkText(recipe, INPUTS, block(recipe)) + SKY_MAIN;
   if (recipe.kind === "fields") return HEAD + FORMULA + fieldsSky(recipe) + SKY_MAIN;
+  if (recipe.kind === "shaped") return HEAD + FORMULA + SHAPED_SKY + SKY_MAIN;
   const name = recipe.hosek ? "hosek_channel" : "skydome_channel";
   return HEAD + FORMULA + FORMULA_SKY.replace("CHANNEL", name) + SKY_MAIN;
 }

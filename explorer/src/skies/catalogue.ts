@@ -8,37 +8,13 @@ import { hosekLetters } from "./hosek";
 import { channel } from "./light";
 import { skydome_angle } from "../data/formula";
 import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
-import { allWeather } from "./perez";
-import { LOWEST, physicalLight } from "./physical";
+import type { Conditions, Model } from "./model";
+import { asrc, brungerHooper, harrisonCoombes, intermediate, moonSpencer, pokrowski, uniform, type Levelled } from "./older";
+import { allWeather, byLetters, byWeather, igawa } from "./perez";
+import { LOWEST, physicalLight } from "./physical/physical";
 import { preethamLetters } from "./preetham";
+import { shaped } from "./shaped";
 import type { Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
-
-/** What a sky is made of, in the package's units; angles in radians. */
-export interface Conditions {
-  sun: Vec3;
-  /** Angular radius of the sun, rad, and its distance, AU. */
-  radius: number;
-  distance: number;
-  turbidity: number;
-  albedo: number;
-  dni: number;
-  dhi: number;
-  dew: number;
-}
-
-export interface Model {
-  name: string;
-  label: string;
-  group: string;
-  source: string;
-  /** Turbidity's range; null where the model takes none. */
-  turbidity: [number, number] | null;
-  albedo: boolean;
-  irradiance: boolean;
-  /** Least elevation of the sun, degrees, that it has light for. */
-  lowest: number;
-  make(c: Conditions): Sky;
-}
 
 const EYE = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NORMAL = EYE.map((row) => row.map((value) => value * TABLES.efficacy));
@@ -112,11 +88,44 @@ function neural(name: string, c: Conditions): Sky {
   return { ...sky, spectrum: (toward) => ({ wavelengths: bands, radiance: radiance(toward) }) };
 }
 
+/** A sky of luminance alone. */
+function grey(name: string, c: Conditions, recipe: Recipe): Sky {
+  return base(name, c, recipe, TABLES.albedo.ground, [GREY_NOTE]);
+}
+
+/** Of irradiances, with the sun that they tell. */
+function ofWeather(sky: Sky, c: Conditions, lux: number): Sky {
+  return withDisc({ ...sky, day: sky.day && c.dni + c.dhi > 0 }, c, 3, lux);
+}
+
 function perez(c: Conditions): Sky {
-  const found = allWeather(risen(c.sun), c.dni, c.dhi, c.dew, c.distance);
-  const sky = base("perez-all-weather", c, formula([found.letters], GREY), TABLES.albedo.ground, [GREY_NOTE]);
-  const lit = { ...sky, day: sky.day && c.dni + c.dhi > 0 };
-  return withDisc(lit, c, 3, found.directNormal);
+  const found = allWeather(risen(c.sun), c);
+  return ofWeather(grey("perez-all-weather", c, formula([found.letters], GREY)), c, found.directNormal);
+}
+
+function igawaSky(c: Conditions): Sky {
+  const found = igawa(risen(c.sun), c);
+  return ofWeather(grey("igawa", c, formula([found.letters], GREY)), c, found.directNormal);
+}
+
+function asrcSky(c: Conditions): Sky {
+  const sky = grey("asrc-cie", c, ofShape(asrc(risen(c.sun), c)));
+  return ofWeather(sky, c, byWeather(risen(c.sun), c).direct);
+}
+
+function perezLetters(c: Conditions): Sky {
+  const letters = byLetters(risen(c.sun), c.letters, c.lux);
+  return withDisc(grey("perez", c, formula([letters], GREY)), c, c.turbidity);
+}
+
+const ofShape = ([numbers, level]: Levelled): Recipe => shaped(numbers, level, TABLES.colour.d65);
+
+/** An older sky of the usual level. */
+function older(name: string, levelled: (sun: Vec3, c: Conditions) => Levelled, shines = true): (c: Conditions) => Sky {
+  return (c) => {
+    const sky = grey(name, c, ofShape(levelled(risen(c.sun), c)));
+    return shines ? withDisc(sky, c, c.turbidity) : sky;
+  };
 }
 
 function cie(type: number, c: Conditions): Sky {
@@ -130,12 +139,23 @@ function cieClear(c: Conditions): Sky {
   return withDisc(base("cie-clear", c, formula([letters], GREY), TABLES.albedo.ground, [GREY_NOTE]), c, c.turbidity);
 }
 
-/** The physical sky: its table's fields; in twilight too. */
+/** The physical sky: its table's fields; in twilight too, and under the moon. */
 function physical(c: Conditions): Sky {
-  const day = c.sun[2] > Math.sin(LOWEST * DEG);
-  const { fields, lux } = physicalLight(c.sun, c.turbidity, c.albedo, c.distance ** -2);
-  return { ...withDisc(base("physical", c, fields, c.albedo), c, 3, lux), day };
+  const near = c.distance ** -2;
+  const ofSun = physicalLight(c.sun, c.turbidity, c.albedo, c.air, c.sun[2] > END ? [near, near, near] : [0, 0, 0]);
+  const sky = base("physical", c, ofSun.fields, c.albedo);
+  const { moon } = c;
+  const moonlit = moon && c.sun[2] < 0 && moon.toward[2] > END ? physicalLight(moon.toward, c.turbidity, c.albedo, c.air, moon.light) : null;
+  const day = c.sun[2] > END || moonlit !== null;
+  if (!moonlit) return { ...withDisc(sky, c, 3, ofSun.lux), day };
+  const disc = discOf(moon!.toward, 3, moon!.radius, moonlit.lux);
+  const notes = c.sun[2] < TWILIGHT ? [NIGHT_NOTE] : [];
+  return { ...sky, recipe: { ...ofSun.fields, moonlit: moonlit.fields }, disc, day, notes };
 }
+
+/** Sines of the elevations to which a lamp lights the air, and below which stars and glows are more than a hundredth. */
+const [END, TWILIGHT] = [Math.sin(LOWEST * DEG), Math.sin(-12 * DEG)];
+const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; the command has them";
 
 const CIE_NAMES = [
   "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",
@@ -147,9 +167,11 @@ const CIE_NAMES = [
 const HAZE: [number, number] = [1, 10];
 const clear = { group: "Clear skies", turbidity: HAZE, albedo: true, irradiance: false, lowest: 0.1 };
 const measured = { albedo: false, irradiance: false, lowest: 0.1 };
+const weather = { ...measured, group: "Measured and standard", turbidity: null, irradiance: true };
+const old = { ...measured, group: "Older skies", turbidity: HAZE };
 
 export const MODELS: Model[] = [
-  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, source:
+  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, own: ["air"], source:
     "Single scattering in round shells, networks for the rest", make: physical },
   { ...clear, name: "hosek-wilkie", label: "Hosek-Wilkie", source: "Hosek and Wilkie 2012", make: hosek },
   { ...clear, name: "hosek-wilkie-rgb", label: "Hosek-Wilkie RGB", source: "Hosek and Wilkie 2012", make: hosekRGB },
@@ -159,10 +181,26 @@ export const MODELS: Model[] = [
     ...clear, group: "Neural skies", name, label: name.replace("neural-", "").replaceAll("-", " "),
     source: "Satilmis et al. 2017", albedo: NETWORKS[name].features.includes("albedo"), make: (c) => neural(name, c),
   })),
-  { ...measured, group: "Measured and standard", name: "perez-all-weather", label: "Perez all-weather", turbidity: null,
-    irradiance: true, source: "Perez, Seals and Michalsky 1993", make: perez },
-  { ...measured, group: "Measured and standard", name: "cie-clear", label: "CIE clear (Kittler)", turbidity: HAZE,
+  { ...weather, name: "perez-all-weather", label: "Perez all-weather", source: "Perez, Seals and Michalsky 1993", make: perez },
+  { ...weather, name: "igawa", label: "Igawa", source: "Igawa 2014", make: igawaSky },
+  { ...weather, name: "asrc-cie", label: "ASRC-CIE", source: "Perez et al. 1990, Matsuura 1987", make: asrcSky },
+  { ...old, group: "Measured and standard", name: "perez", label: "Perez by letters", own: ["letters", "lux"],
+    source: "Perez, Seals and Michalsky 1993", make: perezLetters },
+  { ...old, group: "Measured and standard", name: "cie-clear", label: "CIE clear (Kittler)",
     source: "Kittler 1967, CIE 110-1994", make: cieClear },
+  { ...old, name: "cie-intermediate", label: "CIE intermediate", source: "Nakamura, Oki and Hayashi 1985",
+    make: older("cie-intermediate", (sun, c) => intermediate(sun, c.turbidity)) },
+  { ...old, name: "matsuura-iwata", label: "Matsuura-Iwata", source: "Matsuura and Iwata 1990",
+    make: older("matsuura-iwata", (sun, c) => intermediate(sun, c.turbidity)) },
+  { ...old, name: "brunger-hooper", label: "Brunger-Hooper", source: "Brunger and Hooper 1993", own: ["share", "clearness"],
+    make: older("brunger-hooper", (sun, c) => brungerHooper(sun, c.turbidity, c.share, c.clearness)) },
+  { ...old, name: "harrison-coombes", label: "Harrison-Coombes", source: "Harrison and Coombes 1988", own: ["cloud"],
+    make: older("harrison-coombes", (sun, c) => harrisonCoombes(sun, c.turbidity, c.cloud)) },
+  { ...old, name: "pokrowski", label: "Pokrowski", source: "Pokrowski 1929; Grant, Heisler and Gao 1996",
+    make: older("pokrowski", (sun, c) => pokrowski(sun, c.turbidity)) },
+  { ...old, name: "moon-spencer", label: "Moon-Spencer overcast", turbidity: null, source: "Moon and Spencer 1942",
+    make: older("moon-spencer", moonSpencer, false) },
+  { ...old, name: "uniform", label: "Uniform", turbidity: null, source: "definition", make: older("uniform", uniform, false) },
   ...CIE_NAMES.map((text, k): Model => ({
     ...measured, group: "CIE standard general skies", name: `cie-${k + 1}`, label: `CIE ${k + 1}: ${text}`,
     turbidity: k >= 5 ? HAZE : null, source: "CIE S 011, ISO 15469", make: (c) => cie(k + 1, c),

@@ -55,13 +55,14 @@ export function discOf(sun: Vec3, turbidity: number, radius: number, lux: number
   const area = Math.PI * Math.sin(radius) ** 2;
   const spectrum = centreRadiance(turbidity, elevation(sun)).map((value, w) => value * mean[w] * area);
   const normal = discXYZ(spectrum);
-  return { radius, turbidity, normal: lux === null ? normal : scaled(normal, normal[1] > 0 ? lux / normal[1] : 0) };
+  return { toward: sun, radius, turbidity, normal: lux === null ? normal : scaled(normal, normal[1] > 0 ? lux / normal[1] : 0) };
 }
 
 /** Directions evenly over the disc (a sunflower spiral), and the XYZ that each carries; they sum to `normal`. */
-export function discPoints(disc: Disc, sun: Vec3, count: number): { directions: Vec3[]; light: Vec3[] } {
-  const [u, v] = tangents(sun);
-  const centre = centreRadiance(disc.turbidity, elevation(sun));
+export function discPoints(disc: Disc, count: number): { directions: Vec3[]; light: Vec3[] } {
+  const { toward } = disc;
+  const [u, v] = tangents(toward);
+  const centre = centreRadiance(disc.turbidity, elevation(toward));
   const directions: Vec3[] = [];
   const light: Vec3[] = [];
   for (let k = 0; k < count; k++) {
@@ -69,7 +70,7 @@ export function discPoints(disc: Disc, sun: Vec3, count: number): { directions: 
     const turn = k * Math.PI * (3 - Math.sqrt(5));
     const sine = Math.sqrt(square) * Math.sin(disc.radius);
     const across = sum(scaled(u, sine * Math.cos(turn)), scaled(v, sine * Math.sin(turn)));
-    directions.push(sum(across, scaled(sun, Math.sqrt(1 - sine * sine))));
+    directions.push(sum(across, scaled(toward, Math.sqrt(1 - sine * sine))));
     const mu = Math.sqrt(1 - square);
     light.push(discXYZ(centre.map((value, w) => value * limb(w, mu))));
   }

@@ -26,12 +26,21 @@ function nodesAbout(sunZenith: number, visit: Visit): void {
   }
 }
 
+/** The same without symmetry about the lamp: both halves. */
+function bothSides(sunZenith: number, visit: Visit): void {
+  nodesAbout(sunZenith, (zenith, difference, solidAngle) => {
+    for (const turn of [difference, -difference]) visit(zenith, turn, solidAngle / 2);
+  });
+}
+
 /** Diffuse light on the horizontal, XYZ, Y in lx. */
 export function diffuseXYZ(sky: Sky): Vec3 {
   let total: Vec3 = [0, 0, 0];
   if (!sky.day) return total;
-  const turn = azimuth(sky.sun);
-  nodesAbout(Math.PI / 2 - elevation(sky.sun), (zenith, difference, solidAngle) => {
+  const lamp = sky.disc?.toward ?? sky.sun;
+  const turn = azimuth(lamp);
+  const around = sky.recipe.kind === "fields" && sky.recipe.moonlit ? bothSides : nodesAbout;
+  around(Math.PI / 2 - elevation(lamp), (zenith, difference, solidAngle) => {
     const toward = direction(turn + difference, Math.PI / 2 - zenith);
     total = sum(total, scaled(xyzToward(sky, toward), solidAngle * Math.cos(zenith)));
   });
@@ -40,18 +49,23 @@ export function diffuseXYZ(sky: Sky): Vec3 {
 
 /** Direct light on the horizontal, XYZ, Y in lx. */
 export function directXYZ(sky: Sky): Vec3 {
-  return sky.disc && sky.sun[2] > 0 ? scaled(sky.disc.normal, sky.sun[2]) : [0, 0, 0];
+  return sky.disc && sky.disc.toward[2] > 0 ? scaled(sky.disc.normal, sky.disc.toward[2]) : [0, 0, 0];
 }
 
 /** Integral of one channel of the formula times the cosine. */
 export function channelIntegral(letters: Letters, sunZenith: number, hosek = false): number {
+  return integralOf((up, half, angle) => channel(letters, hosek, up, half, angle), sunZenith);
+}
+
+/** Integral over the dome, times the cosine, of what depends on the view's height and its angle to the sun. */
+export function integralOf(light: (up: number, half: number, angle: number) => number, sunZenith: number): number {
   let total = 0;
   const sun = Math.min(Math.max(sunZenith, 0), Math.PI / 2);
   nodesAbout(sun, (zenith, difference, solidAngle) => {
     const up = Math.cos(zenith);
     const across = Math.sin(zenith) * Math.sin(sun) * Math.sin(difference / 2) ** 2;
     const half = Math.min(Math.sin((zenith - sun) / 2) ** 2 + across, 1);
-    total += solidAngle * up * channel(letters, hosek, up, half, 2 * Math.asin(Math.sqrt(half)));
+    total += solidAngle * up * light(up, half, 2 * Math.asin(Math.sqrt(half)));
   });
   return total;
 }

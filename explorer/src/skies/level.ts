@@ -40,6 +40,15 @@ function clearZenith(height: number, turbidity: number): number {
 /** Zenith luminance of an overcast sky, cd m-2. */
 export const overcast: Usual = (sun) => 1000 * (8.6 * Math.sin(Math.max(elevation(sun), 0)) + 0.123);
 
+/** Zenith luminances, cd m-2, of usual skies under suns up to `highest`, at which those above are held. */
+export const usualLevel: Record<"clear" | "middle", Usual> = {
+  clear: (sun, turbidity) => clearZenith(Math.min(elevation(sun), TABLES.highest), turbidity),
+  middle: (sun, turbidity) => {
+    const height = Math.min(elevation(sun), TABLES.highest);
+    return (clearZenith(height, turbidity) + overcast([0, Math.cos(height), Math.sin(height)], turbidity)) / 2;
+  },
+};
+
 /** Letters with the level of a usual clear sky: by zenith luminance, of higher suns by the illuminance at the limit. */
 export function withClearLevel(letters: Letters, sun: Vec3, turbidity: number): Letters {
   const height = elevation(sun);

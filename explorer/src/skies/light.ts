@@ -1,10 +1,11 @@
 /** The light of a recipe toward a direction, on the processor: for numbers; the shader does the same for pictures. */
 
 import { hosek_channel, skydome_angle, skydome_channel } from "../data/formula";
-import { halfSquare, times, ZENITH, type Vec3 } from "../core/vector";
+import { halfSquare, scaled, times, ZENITH, type Vec3 } from "../core/vector";
 import { networkLight } from "./network";
-import { fieldsLight } from "./fields";
-import type { Formula, Letters, Recipe, Sky } from "./sky";
+import { fieldsLight } from "./physical/fields";
+import { shapeAt } from "./shaped";
+import type { Formula, Letters, Recipe, Shaped, Sky } from "./sky";
 
 const BLACK: Vec3 = [0, 0, 0];
 
@@ -16,8 +17,15 @@ export function xyzToward(sky: Sky, toward: Vec3): Vec3 {
 function recipeLight(recipe: Recipe, sun: Vec3, toward: Vec3): Vec3 {
   if (recipe.kind === "network") return networkLight(recipe, sun, toward);
   if (recipe.kind === "fields") return fieldsLight(recipe, toward);
+  if (recipe.kind === "shaped") return shapedLight(recipe, sun, toward);
   const half = halfSquare(toward, sun);
   return formulaLight(recipe, Math.max(toward[2], 0), half, skydome_angle(half));
+}
+
+function shapedLight({ numbers, level, white }: Shaped, sun: Vec3, toward: Vec3): Vec3 {
+  const half = halfSquare(toward, sun);
+  const light = level * shapeAt(numbers, Math.max(toward[2], 0), half, skydome_angle(half));
+  return scaled(white as unknown as Vec3, light);
 }
 
 /** XYZ of the nine-number formula from the view's height and its angle to the sun. */

@@ -35,12 +35,18 @@ function letters(index: number, delta: number, zenith: number): number[] {
   return usual;
 }
 
+/** Whether the gradation is negative on so much of the dome. */
+function isDark(a: number, b: number): boolean {
+  return a < -1 && -b <= (1 - TABLES.perez.mostBlack) * Math.log(-a);
+}
+
 /** The same, such that the sky has light. */
 function guarded(index: number, delta: number, zenith: number): number[] {
   const first = letters(index, delta, zenith);
-  const dark = first[1] >= 0 && first[0] < -1;
+  const dark = isDark(first[0], first[1]);
   const found = dark ? letters(index, Math.max(delta, TABLES.perez.leastBrightness), zenith) : first;
-  return [found[0], Math.min(found[1], 0), ...found.slice(2)];
+  const b = Math.min(found[1], 0);
+  return [found[0], isDark(found[0], b) ? 0 : b, ...found.slice(2)];
 }
 
 export interface AllWeather {
@@ -49,8 +55,26 @@ export interface AllWeather {
   directNormal: number;
 }
 
-/** Letters and direct illuminance from direct normal and diffuse horizontal irradiance, W m-2. */
-export function allWeather(sun: Vec3, direct: number, diffuse: number, dewPoint: number, distance = 1): AllWeather {
+/** What is measured of a sky: irradiances, W m-2, dew point, degrees C; and the sun's distance, AU. */
+export interface Irradiances {
+  dni: number;
+  dhi: number;
+  dew: number;
+  distance: number;
+}
+
+export interface Weather {
+  epsilon: number;
+  delta: number;
+  index: number;
+  zenith: number;
+  /** Diffuse horizontal illuminance, and the direct one facing the sun, lx. */
+  diffuse: number;
+  direct: number;
+}
+
+/** Clearness, brightness and illuminances by the efficacies of 1990. */
+export function byWeather(sun: Vec3, { dni: direct, dhi: diffuse, dew: dewPoint, distance }: Irradiances): Weather {
   const zenith = Math.PI / 2 - elevation(sun);
   const epsilon = clearness(direct, diffuse, zenith);
   const delta = (opticalMass(zenith) * diffuse) / (TABLES.perez.solarConstant / distance ** 2);
@@ -62,9 +86,43 @@ export function allWeather(sun: Vec3, direct: number, diffuse: number, dewPoint:
     k("diffuse", "a") + k("diffuse", "b") * water + k("diffuse", "c") * rest[0] + k("diffuse", "d") * rest[1];
   const ofDirect =
     k("direct", "a") + k("direct", "b") * water + k("direct", "c") * Math.exp(5.73 * zenith - 5) + k("direct", "d") * delta;
-  const relative = fromPerez(1, guarded(index, delta, zenith));
-  return {
-    letters: withIlluminance(relative, zenith, diffuse * ofDiffuse),
-    directNormal: direct * Math.max(ofDirect, 0),
-  };
+  return { epsilon, delta, index, zenith, diffuse: diffuse * ofDiffuse, direct: direct * Math.max(ofDirect, 0) };
+}
+
+/** Letters and direct illuminance of Perez's sky. */
+export function allWeather(sun: Vec3, given: Irradiances): AllWeather {
+  const { index, delta, zenith, diffuse, direct } = byWeather(sun, given);
+  return { letters: withIlluminance(fromPerez(1, guarded(index, delta, zenith)), zenith, diffuse), directNormal: direct };
+}
+
+/** Perez's sky of five letters, of a diffuse illuminance. */
+export function byLetters(sun: Vec3, five: number[], lux: number): Letters {
+  return withIlluminance(fromPerez(1, five), Math.PI / 2 - elevation(sun), lux);
+}
+
+/** Igawa's sky (2014): letters from the clear-sky and the cloudless index. */
+export function igawa(sun: Vec3, given: Irradiances): AllWeather {
+  const { zenith, diffuse, direct } = byWeather(sun, given);
+  const [kc, cle] = igawaIndices(zenith, given);
+  const table: Columns = TABLES.igawa;
+  const bell = (x: number, at: number, wide: number): number => Math.exp(-(((x - at) / wide) ** 2) / 2);
+  const five = [0, 1, 2, 3, 4].map((row) => {
+    const [base, ofLight, atLight, wide, ofClear, atClear, broad, ofBoth] = [..."ABCDEFGH"].map((name) => table[name][row]);
+    const [light, clear] = [bell(kc, atLight, wide), bell(cle, atClear, broad)];
+    return base + ofLight * light + ofClear * clear + ofBoth * light * clear;
+  });
+  const [a, b, c, d, e] = [five[0], Math.min(five[1], 0), Math.max(five[2], 0), five[3], Math.max(five[4], 0)];
+  const relative = fromPerez(1, [a, b, c, d, e], 1 - c * Math.exp((d * Math.PI) / 2));
+  return { letters: withIlluminance(relative, zenith, diffuse), directNormal: direct };
+}
+
+function igawaIndices(zenith: number, { dni, dhi, distance }: Irradiances): [number, number] {
+  const z = Math.min(zenith, Math.PI / 2);
+  const mass = 1 / (Math.max(Math.cos(z), 0) + 0.50572 * (96.07995 - (z * 180) / Math.PI) ** -1.6364);
+  const height = Math.max(Math.PI / 2 - zenith, 0);
+  const whole = dhi + dni * Math.sin(height);
+  const standard = ((0.84 * TABLES.perez.solarConstant) / distance ** 2 / mass) * Math.exp(-0.054 * mass);
+  const clouds = 0.08302 + 0.5358 * Math.exp(-17.3 * height) + 0.3818 * Math.exp(-3.2899 * height);
+  const clear = (1 - dhi / Math.max(whole, 1e-9)) / Math.max(1 - clouds, 1e-3);
+  return [limited(whole / standard, 0, TABLES.igawaMost), limited(clear, 0, TABLES.igawaMost)];
 }

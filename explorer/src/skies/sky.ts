@@ -42,9 +42,21 @@ export interface Fields {
   seen: Vec3;
   leastCosine: number;
   laws: Law[];
+  /** Light of the moon in the same air; null by day and without a moon. */
+  moonlit: Fields | null;
 }
 
-export type Recipe = Formula | Network | Fields;
+export interface Shaped {
+  kind: "shaped";
+  /** Of the terms of `shaped.ts`. */
+  numbers: number[];
+  /** cd m-2 a unit of the shape. */
+  level: number;
+  /** XYZ of its one colour, Y = 1. */
+  white: number[];
+}
+
+export type Recipe = Formula | Network | Fields | Shaped;
 
 export interface Spectrum {
   wavelengths: number[];
@@ -70,6 +82,8 @@ export interface Sky {
 }
 
 export interface Disc {
+  /** Where it stands: the sun, or at night the moon. */
+  toward: Vec3;
   radius: number;
   turbidity: number;
   /** XYZ of the illuminance on a plane that faces it, lx. */

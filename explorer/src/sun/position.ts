@@ -48,38 +48,49 @@ function siderealTime(days: number): number {
   return (280.46061837 + 360.98564736629 * days + 0.000387933 * t * t - (t * t * t) / 38710000) * DEG;
 }
 
-export interface Apparent {
-  /** In axes that turn with the earth, AU. */
-  vector: Vec3;
-  /** AU */
-  distance: number;
+/** Days since J2000, of clocks, and thousands of years of even time. */
+function elapsed(utc: number): [number, number] {
+  const days = (utc - J2000) / 86400e3;
+  return [days, (days + deltaT(2000 + days / 365.2425) / 86400) / 365250];
 }
 
-/** The sun from the earth's centre at milliseconds since 1970. */
-function apparent(utc: number): Apparent {
-  const days = (utc - J2000) / 86400e3;
-  const t = (days + deltaT(2000 + days / 365.2425) / 86400) / 365250;
-  const [inLongitude, inObliquity] = nutation(10 * t);
+/** Centuries of terrestrial time since J2000. */
+export const centuries = (utc: number): number => 10 * elapsed(utc)[1];
+
+/** The sun's longitude and latitude in the mean ecliptic of date, radians, and its distance, AU. */
+export function eclipticSun(utc: number): [number, number, number] {
+  const [, t] = elapsed(utc);
   const distance = heliocentric(2, t);
-  const along = heliocentric(0, t) + Math.PI + inLongitude - ABERRATION / distance;
-  const high = -heliocentric(1, t);
+  return [heliocentric(0, t) + Math.PI - ABERRATION / distance, -heliocentric(1, t), distance];
+}
+
+/** What stands at a longitude and latitude of the mean ecliptic of date, radians, so far from the earth's centre, AU. */
+function apparent(utc: number, longitude: number, high: number, distance: number): Vec3 {
+  const [days, t] = elapsed(utc);
+  const [inLongitude, inObliquity] = nutation(10 * t);
+  const along = longitude + inLongitude;
   const oblique = (polynomial(TABLES.sun.obliquity, t / 10) / 3600) * DEG + inObliquity;
   const [x, y, z] = [Math.cos(along) * Math.cos(high), Math.sin(along) * Math.cos(high), Math.sin(high)];
   const [c, s] = [Math.cos(oblique), Math.sin(oblique)];
   const equatorial = [x, c * y - s * z, s * y + c * z];
   const turn = siderealTime(days) + inLongitude * c;
   const [ct, st] = [Math.cos(turn), Math.sin(turn)];
-  const vector: Vec3 = [
+  return [
     distance * (ct * equatorial[0] + st * equatorial[1]),
     distance * (ct * equatorial[1] - st * equatorial[0]),
     distance * equatorial[2],
   ];
-  return { vector, distance };
 }
 
 /** Unit vector toward the true sun over a place, and its distance from the earth, AU. */
 export function sunOver(place: Place, utc: number): { toward: Vec3; distance: number } {
-  const { vector, distance } = apparent(utc);
+  const [along, high, distance] = eclipticSun(utc);
+  return { toward: unit(fromPlace(place, utc, along, high, distance)), distance };
+}
+
+/** What stands at a place of the ecliptic as seen from a place on the earth, AU east, north and up. */
+export function fromPlace(place: Place, utc: number, along: number, high: number, distance: number): Vec3 {
+  const vector = apparent(utc, along, high, distance);
   const [b, l] = [place.latitude * DEG, place.longitude * DEG];
   const e2 = EARTH.flattening * (2 - EARTH.flattening);
   const n = EARTH.radius / Math.sqrt(1 - e2 * Math.sin(b) ** 2) / AU;
@@ -92,7 +103,7 @@ export function sunOver(place: Place, utc: number): { toward: Vec3; distance: nu
   const outward = Math.cos(l) * rest[0] + Math.sin(l) * rest[1];
   const north = -Math.sin(b) * outward + Math.cos(b) * rest[2];
   const up = Math.cos(b) * outward + Math.sin(b) * rest[2];
-  return { toward: unit([east, north, up]), distance };
+  return [east, north, up];
 }
 
 /** Angular radius of the disc from a distance in AU, radians. */

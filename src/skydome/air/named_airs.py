@@ -62,6 +62,15 @@ URBAN = AerosolKind(0.643, 0.817, 0.689, 1.29)
 CONTINENTAL = Aerosol()
 """The usual aerosol: one Henyey-Greenstein lobe of g 0.76, of which 0.92 is scattered, scale height 1.5 km."""
 
+KINDS = {
+    "usual": CONTINENTAL,
+    "continental": CONTINENTAL_AVERAGE.aerosol,
+    "maritime": MARITIME_CLEAN.aerosol,
+    "desert": DESERT.aerosol,
+    "urban": URBAN.aerosol,
+}
+"""Aerosols by a word: the usual one, and those of OPAC."""
+
 PREETHAM_HAZE = Aerosol(albedo=1.0, phase=Haze(), profile=Exponential(1200.0))
 """The haze of Preetham's A.1: it scatters all, by Bullrich's table, with a scale height of 1.2 km."""
 

@@ -107,8 +107,6 @@ def sentence_of(error: BaseException) -> str:
     >>> sentence_of(KeyError("radiance"))
     "unexpected KeyError: 'radiance'; please report this with the command and what --debug shows"
     """
-    if hasattr(error, "format_message"):  # the command line's own
-        return str(error.format_message())
     if isinstance(error, MemoryError):
         return memory_sentence(error)
     if isinstance(error, OSError):

@@ -4,7 +4,7 @@ import math
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Annotated, Any
+from typing import Annotated, Any, cast
 
 import typer
 from typer.core import TyperCommand, TyperGroup
@@ -31,6 +31,9 @@ from skydome.cli.learning.fit import fit
 from skydome.cli.learning.simulate import simulate
 from skydome.cli.learning.train import train
 from skydome.cli.options import target_help
+
+UsageError = cast(type[typer.BadParameter], typer.BadParameter.__bases__[0])
+"""What the command line itself says of words that it does not understand."""
 
 
 class FiniteCommand(TyperCommand):
@@ -62,7 +65,10 @@ class Commands(TyperGroup):
         words = list(sys.argv[1:] if args is None else args)
         with ending("skydome", debug=DEBUG in words), memory_granted(words) as words:
             words = [word for word in words if word != DEBUG]
-            code = super().main(words, *arguments, **(choices | {"standalone_mode": False}))
+            try:
+                code = super().main(words, *arguments, **(choices | {"standalone_mode": False}))
+            except UsageError as error:
+                raise ValueError(error.format_message()) from error
         sys.exit(code if isinstance(code, int) else 0)
 
 

@@ -17,7 +17,7 @@ LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
     "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
-    "tables", "until", "paths", "visibility", "clouds", "cover", "cloud_seed",
+    "tables", "until", "paths", "visibility", "aerosol", "ozone", "clouds", "cover", "cloud_seed",
 )  # fmt: skip
 
 
@@ -100,7 +100,7 @@ def build(model: "Model", moment: "Moment | None", options: SkyOptions) -> "tupl
         given = known | given
         notes.append(f"sun: {moment.distance:.4f} AU away on that day")
     if model.level_name:
-        level, more = level_of(model, sun, options)
+        level, more = level_of(model, sun, options, given)
         given, notes = given | level, notes + more
     with progress("making the sky") as report:
 
@@ -110,7 +110,9 @@ def build(model: "Model", moment: "Moment | None", options: SkyOptions) -> "tupl
         return model.make(sun, given, options.check, traced), notes  # type: ignore[arg-type]
 
 
-def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, float], list[str]]:
+def level_of(
+    model: "Model", sun: Any, options: SkyOptions, others: dict[str, Any]
+) -> tuple[dict[str, float], list[str]]:
     """The level as the class's parameters: the one given, or the usual one; ValueError where there is none."""
     given = {name: getattr(options, name) for name in LEVELS if getattr(options, name) is not None}
     notes: list[str] = []
@@ -119,7 +121,7 @@ def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, f
             return {}, []
         if model.level is None or sun is None:
             raise ValueError(f"{model.name} needs a level: --zenith-luminance (cd m-2) or --illuminance (lx)")
-        given, note = usual_level(model, model.level, sun, turbidity_of(options))
+        given, note = usual_level(model, model.level, sun, turbidity_of(options), others)
         notes = [note]
     if "illuminance" in given and "illuminance" not in model.needed:
         given = by_unit_sky(model, sun, given)
@@ -128,10 +130,13 @@ def level_of(model: "Model", sun: Any, options: SkyOptions) -> tuple[dict[str, f
     }, notes
 
 
-def usual_level(model: "Model", level: "UsualLevel", sun: Any, turbidity: float) -> tuple[dict[str, float], str]:
+def usual_level(
+    model: "Model", level: "UsualLevel", sun: Any, turbidity: float, others: dict[str, Any]
+) -> tuple[dict[str, float], str]:
     """The level that a kind of sky usually has, and what to say of it.
 
-    A clear sky's zenith luminance, up to 75 degrees of the sun; above, the illuminance that the model has there.
+    A clear sky's zenith luminance, up to 75 degrees of the sun; above, the illuminance that the model of the `others`,
+    its parameters, has there.
     """
     import skydome as sd
     from skydome.skies.formula.level import HIGHEST
@@ -142,7 +147,7 @@ def usual_level(model: "Model", level: "UsualLevel", sun: Any, turbidity: float)
     value = float(level.zenith_luminance(at, turbidity))
     if not high:
         return {"zenith_luminance": value}, f"level: {level.whose}, {value:.0f} cd m-2 at the zenith{haze}"
-    light = float(sd.illuminance(model.make(at, {str(model.level_name): value})))
+    light = float(sd.illuminance(model.make(at, others | {str(model.level_name): value})))
     return {"illuminance": light}, f"level: {level.whose} under a sun of 75 degrees, {light:.0f} lx{haze}"
 
 

@@ -97,6 +97,13 @@ class SkyOptions(CloudOptions, SunOptions):
     dew_point: Annotated[
         float | None, Option(help="Dew point, degrees C (perez-all-weather).", rich_help_panel=AIR)
     ] = None
+    aerosol: Annotated[
+        str | None,
+        Option(metavar="KIND", help="usual, continental, maritime, desert or urban (physical).", rich_help_panel=AIR),
+    ] = None
+    ozone: Annotated[
+        float | None, Option(help="Dobson units, 0-600 (physical). [default: 330]", rich_help_panel=AIR)
+    ] = None
     compat: Annotated[
         str | None, Option(metavar="paper|gendaylit", help="Whose limits perez-all-weather has.", rich_help_panel=AIR)
     ] = None

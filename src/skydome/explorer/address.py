@@ -6,10 +6,16 @@ from urllib.parse import urlencode
 
 import numpy as np
 
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.constituents import Aerosol, Ozone
+from skydome.air.named_airs import KINDS, depth_of_turbidity
 from skydome.ground.arrays import as_numpy
 from skydome.ground.directions import azimuth, elevation
 from skydome.ground.units import deg
+from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.all_air.taught_air import kinds
 from skydome.skies.catalogue import CATALOGUE
+from skydome.skies.perez import Perez
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
 from skydome.sun.place import Place
@@ -22,6 +28,9 @@ KEYS = {
     "direct_normal_irradiance": "dni",
     "diffuse_horizontal_irradiance": "dhi",
     "dew_point": "dew",
+    "diffuse_share": "share",
+    "clearness": "clearness",
+    "cloud": "cloud",
 }
 """Parameters of skies and their names in the address."""
 
@@ -80,7 +89,28 @@ def address_of(sky: Sky) -> str:
         value = getattr(inner, name, None)
         if value is not None and np.ndim(value) == 0:
             told[key] = plain(value)
+    if isinstance(inner, Perez) and inner.illuminance is not None:
+        told["letters"] = ",".join(plain(letter) for letter in (inner.a, inner.b, inner.c, inner.d, inner.e))
+        told["lux"] = plain(inner.illuminance)
+    if isinstance(inner, PhysicalSky):
+        told |= air_in_words(inner.atmosphere)
     return address(**told)
+
+
+def air_in_words(air: Atmosphere) -> dict[str, str]:
+    """Turbidity, kind of aerosol, ozone and ground of a physical sky's air, by their names in the address.
+
+    >>> air_in_words(Atmosphere.desert(0.2, ozone=300.0, albedo=0.3))
+    {'turbidity': '3.0605', 'aerosol': 'desert', 'ozone': '300', 'albedo': '0.3'}
+    """
+    _, ozone, low, high = kinds(air)
+    depth = sum(float(part.depth(np.array([550.0]))[0]) for part in (*low, *high))
+    told = {"turbidity": f"{1 + depth / depth_of_turbidity(2.0):.4f}"}
+    laws = [part.phase for part in low if isinstance(part, Aerosol)]
+    found = [name for name, kind in KINDS.items() if laws == [kind.phase]]
+    told |= {"aerosol": found[0]} if found else {}
+    column = sum(part.column for part in ozone if isinstance(part, Ozone))
+    return told | {"ozone": plain(column), "albedo": plain(air.albedo)}
 
 
 def model_name(sky: Sky) -> str:

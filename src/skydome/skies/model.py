@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
-from skydome.air.named_airs import depth_of_turbidity
+from skydome.air.named_airs import KINDS, depth_of_turbidity
+from skydome.ground.arguments import require_word
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import SOLAR_CONSTANT
 from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.all_air.taught_air import NUMBERS
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.formula.formula_sky import FormulaSky
 from skydome.skies.formula.level import UsualLevel
@@ -164,8 +166,12 @@ class AirModel(Model):
         asked = USUAL | dict(given)
         altitude = asked.get("altitude", 0.0)
         require("altitude", altitude, Place.bounds["altitude"])
-        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"]).at_altitude(altitude)
-        return replace(air, sun_scale=asked.get("sun_scale", 1.0))
+        air = Atmosphere.from_turbidity(asked["turbidity"], albedo=asked["albedo"], **self.more(given))
+        return replace(air.at_altitude(altitude), sun_scale=asked.get("sun_scale", 1.0))
+
+    def more(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What else is told of the air, as `Atmosphere.from_turbidity` takes it."""
+        return {}
 
     def at_distance(self, distance: float) -> dict[str, float]:
         """The sun's strength."""
@@ -196,7 +202,9 @@ class AirModel(Model):
 
 @dataclass(frozen=True)
 class PhysicalModel(AirModel):
-    """The physical sky, of an aerosol that makes up the turbidity at 550 nm."""
+    """The physical sky, of a kind of aerosol that makes up the turbidity at 550 nm, under `ozone`, Dobson units."""
+
+    takes: tuple[str, ...] = ("turbidity", "albedo", "altitude", "ozone", "aerosol")
 
     @property
     def is_clear_spectrum(self) -> bool:
@@ -208,8 +216,15 @@ class PhysicalModel(AirModel):
         if np.ndim(given.get("turbidity", 0.0)) == 0:
             return super().air(given)
         depth = depth_of_turbidity(np.asarray(given["turbidity"], np.float64))
-        albedo, altitude = given.get("albedo", USUAL["albedo"]), given.get("altitude", 0.0)
-        return Atmosphere.standard(depth, albedo=albedo).at_altitude(altitude)
+        more = self.more(given) | {"albedo": given.get("albedo", USUAL["albedo"])}
+        aerosol = replace(more.pop("aerosol"), optical_depth=depth)
+        return Atmosphere.of_aerosol(aerosol, **more).at_altitude(given.get("altitude", 0.0))
+
+    def more(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Ozone and the kind of aerosol, where they are given."""
+        found = {name: given[name] for name in ("ozone", "aerosol") if given.get(name) is not None}
+        require("ozone", found.get("ozone", 0.0), NUMBERS["ozone"])
+        return found | {"aerosol": KINDS[require_word(found.get("aerosol", "usual"), KINDS, "aerosol")]}
 
     def make(
         self, sun: Any, given: Mapping[str, Any] | None = None, check: Check = "raise", report: Report | None = None

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 from typer import Option
 
 from skydome.cli.commands.planes_of_year import YearOptions, year_on_planes, year_rows
+from skydome.cli.doors import progress
 from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, numbers, taking
 from skydome.cli.printing import show
@@ -54,8 +55,8 @@ def illuminance(
     if of_year != YearOptions() or len(planes) > 1:
         raise ValueError("more than one plane, and options of a year, need --weather FILE")
     asked = Asked.of(planes[0], horizon, ground, bands, light, options)
-    scene = scene_of(options)
-    facts = plane_facts(scene, asked)
+    with progress("adding up the light"):
+        facts = plane_facts(scene_of(options), asked)
     show(facts, plane_rows(facts), as_json)
 
 

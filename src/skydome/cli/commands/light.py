@@ -4,6 +4,7 @@ from typing import Annotated
 
 from typer import Option
 
+from skydome.cli.doors import progress
 from skydome.cli.moment import pointing
 from skydome.cli.numbers_of_light import light_facts, light_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
@@ -23,10 +24,11 @@ def light(
     import skydome as sd
 
     facing = None if normal is None else pointing(normal, "--normal")
-    scene = scene_of(options, any_hour=True)
-    facts = light_facts(scene)
-    rows = light_rows(facts)
-    if facing is not None:
-        facts["illuminance_lx"]["plane"] = value = float(sd.illuminance(scene.whole, facing))
-        rows[f"plane facing {normal}"] = f"{value:,.0f} lx"
+    with progress("adding up the light"):
+        scene = scene_of(options, any_hour=True)
+        facts = light_facts(scene)
+        rows = light_rows(facts)
+        if facing is not None:
+            facts["illuminance_lx"]["plane"] = value = float(sd.illuminance(scene.whole, facing))
+            rows[f"plane facing {normal}"] = f"{value:,.0f} lx"
     show(facts, rows, as_json)

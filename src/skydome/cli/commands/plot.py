@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.doors import require_output
+from skydome.cli.doors import progress, require_output
 from skydome.cli.moment import Moment, place_text
 from skydome.cli.numbers_of_light import light_facts, notes_row
 from skydome.cli.options import AsJson, SkyOptions, taking
@@ -30,15 +30,16 @@ def plot(
 
     require_output(output, "a plot's file", FORMATS)
     required("matplotlib", "plot", "a plot")
-    scene = scene_of(options)
-    moment = scene.moment
-    path = None if moment is None else day_path(moment)
-    lines = wrap(parameters_text(scene.sky.parameters()), 90)
-    if moment is not None:
-        lines.append(caption(moment))
-    figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
-    save_figure(figure, output)
-    facts = light_facts(scene) | {"file": str(output), "bytes": output.stat().st_size}
+    with progress("plotting the sky"):
+        scene = scene_of(options)
+        moment = scene.moment
+        path = None if moment is None else day_path(moment)
+        lines = wrap(parameters_text(scene.sky.parameters()), 90)
+        if moment is not None:
+            lines.append(caption(moment))
+        figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
+        save_figure(figure, output)
+        facts = light_facts(scene) | {"file": str(output), "bytes": output.stat().st_size}
     rows = {"file": str(output), "plot": "looking up: north up, east at the left"}
     show(facts, rows | notes_row(facts["notes"]), as_json)
 

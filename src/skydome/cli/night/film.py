@@ -3,8 +3,6 @@
 from datetime import datetime, timedelta
 from pathlib import Path
 
-import numpy as np
-
 from skydome.cli.frames import Frames, duration
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder
@@ -61,6 +59,8 @@ def movie_of(film: Path | None, date: str | None, exposure: float | None, night_
 
 def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
     """Make the frames that are not there yet, and the movie of all, and say what was made."""
+    import numpy as np
+
     from skydome.cli.commands.render import sequence, sequence_rows
     from skydome.cli.doors import progress
     from skydome.cli.printing import show

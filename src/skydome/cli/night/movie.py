@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 if TYPE_CHECKING:
+    import numpy as np
+
     from skydome.maps.environment_map import EnvironmentMap
 
 RATE = 24
@@ -32,7 +32,7 @@ class Movie:
         encoder()
         require_output(self.output, "a film", (".mp4",))
 
-    def made(self, frames: Sequence[Path], seconds: np.ndarray, report: Callable[..., None]) -> dict[str, Any]:
+    def made(self, frames: Sequence[Path], seconds: "np.ndarray", report: Callable[..., None]) -> dict[str, Any]:
         """Write it of maps in files, at their `seconds` (N,): the facts."""
         exposures = self.exposures(frames, seconds, report)
         first = self.picture(frames[0], exposures[0])
@@ -42,8 +42,10 @@ class Movie:
                 pipe.write(self.picture(path, exposure))
         return {"film": str(self.output), "film_seconds": len(frames) / RATE, "film_bytes": self.output.stat().st_size}
 
-    def exposures(self, frames: Sequence[Path], seconds: np.ndarray, report: Callable[..., None]) -> list[float]:
+    def exposures(self, frames: Sequence[Path], seconds: "np.ndarray", report: Callable[..., None]) -> list[float]:
         """The factor per cd m-2 of each."""
+        import numpy as np
+
         from skydome.cli.map_file import exposure_of
 
         if self.exposure is not None:
@@ -61,19 +63,24 @@ class Movie:
 
         return night_vision(load(path)) if self.night_vision else load(path)
 
-    def picture(self, path: Path, exposure: float) -> np.ndarray:
+    def picture(self, path: Path, exposure: float) -> "np.ndarray":
         """sRGB bytes (H, W, 3)."""
+        import numpy as np
+
         from skydome.maps.showing.preview import preview
 
         return (255 * preview(self.seen(path), exposure) + 0.5).astype(np.uint8)
 
 
-def calmed(logarithms: np.ndarray, seconds: np.ndarray) -> list[float]:
+def calmed(logarithms: "np.ndarray", seconds: "np.ndarray") -> list[float]:
     """Exposures (N,) of logarithms (N,) at `seconds` (N,), each evened out with its neighbours.
 
+    >>> import numpy as np
     >>> calmed(np.zeros(4), np.arange(4) * 600.0)
     [1.0, 1.0, 1.0, 1.0]
     """
+    import numpy as np
+
     weights = np.exp(-0.5 * ((seconds[:, None] - seconds) / CALM) ** 2)
     smooth = weights @ logarithms / weights.sum(axis=1)
     return [float(value) for value in np.exp(smooth)]
@@ -110,7 +117,7 @@ class Pipe:
         )
         return self
 
-    def write(self, picture: np.ndarray) -> None:
+    def write(self, picture: "np.ndarray") -> None:
         """Send one picture, bytes (H, W, 3)."""
         assert self.process.stdin is not None
         try:

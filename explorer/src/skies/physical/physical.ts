@@ -1,10 +1,11 @@
 /** The physical sky from its table: fields of light scattered once and of the rest, for any sun, haze and ground. */
 
-import table from "../data/physical.json";
-import { cubicAt, halves, type Half } from "../core/half";
-import { azimuth, DEG, direction, elevation, limited, type Vec3 } from "../core/vector";
+import table from "../../data/physical.json";
+import { cubicAt, halves, type Half } from "../../core/half";
+import { azimuth, DEG, direction, elevation, limited, type Vec3 } from "../../core/vector";
+import { inAir, lawOf, type Air } from "./airs";
 import { ROWS, TURNS } from "./grid";
-import type { Fields } from "./sky";
+import type { Fields } from "../sky";
 
 interface Compressed {
   size: Half;
@@ -94,24 +95,28 @@ function even(count: number, nodes: number, inside: boolean): [number, number[]]
 const EVEN_ROWS = even(ROWS, table.nodes, true);
 const EVEN_TURNS = even(TURNS, table.turns, false);
 
-/** The aerosol's three channels stand for each turbidity above 1. */
+/** The aerosol's three channels stand for each turbidity above that of the stratosphere's alone. */
 const isAerosol = (field: number): boolean => field >= 3 && field < 6;
 
-/** The sky under a sun, its light times `strength`. */
-export function physicalLight(sun: Vec3, turbidity: number, albedo: number, strength: number): Physical {
+/** The sky under a lamp, a sun 1 AU away whose X, Y and Z are taken times `strength`. */
+export function physicalLight(sun: Vec3, turbidity: number, albedo: number, air: Air, strength: Vec3): Physical {
   const degrees = elevation(sun) / DEG;
-  const span = table.spans[degrees < -5.75 ? 0 : degrees < 4 ? 1 : 2];
+  const which = degrees < -5.75 ? 0 : degrees < 4 ? 1 : 2;
+  const span = table.spans[which];
   const height = limited(degrees, span.elevations[0], span.elevations[span.elevations.length - 1]);
   const heights = mixedAt(span.elevations, height);
-  const airs = crossed(heights, mixedAt(LOGS, Math.max(Math.log(turbidity), LOGS[0])), LOGS.length);
+  const haze = Math.max(Math.log(turbidity), LOGS[0]);
+  const airs = crossed(heights, mixedAt(LOGS, haze), LOGS.length);
   const once = unpackedFields(span.once, airs, 9);
   const rest = unpackedFields(span.rest, crossed(airs, mixedAt(table.albedos, albedo), table.albedos.length), 3);
+  const dimmed = inAir(air, which, heights, height, haze, albedo, once, rest);
   const length = table.nodes * table.turns;
   const grid = new Float32Array(ROWS * TURNS * 12);
-  for (let f = 0; f < 9; f++) refine(once, f * length, grid, f, isAerosol(f) ? strength * (turbidity - 1) : strength);
-  for (let c = 0; c < 3; c++) refine(rest, c * length, grid, 9 + c, strength);
+  for (let f = 0; f < 9; f++) refine(once, f * length, grid, f, strength[f % 3] * (isAerosol(f) ? Math.max(0, turbidity - table.leastHaze) : 1));
+  for (let c = 0; c < 3; c++) refine(rest, c * length, grid, 9 + c, strength[c]);
   const seen = heights.reduce((total, [row, weight]) => total + weight * span.seen[row], 0) + degrees - height;
-  const lux = Math.exp(airs.reduce((total, [row, weight]) => total + weight * span.lux.flat()[row], 0));
-  const fields: Fields = { kind: "fields", grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws: table.laws };
-  return { fields, lux: lux < 1e-3 ? 0 : lux * strength };
+  const laws = table.laws.map((law, k) => (k === 1 ? lawOf(air, law) : law));
+  const lux = dimmed * Math.exp(airs.reduce((total, [row, weight]) => total + weight * span.lux.flat()[row], 0));
+  const fields: Fields = { kind: "fields", grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws, moonlit: null };
+  return { fields, lux: lux < 1e-3 ? 0 : lux * strength[1] };
 }

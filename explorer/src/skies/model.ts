@@ -1,0 +1,47 @@
+/** What a sky model takes, and what the page says of it. */
+
+import type { Vec3 } from "../core/vector";
+import type { Moon } from "../sun/moon";
+import type { Air } from "./physical/airs";
+import type { Sky } from "./sky";
+
+/** What a sky is made of, in the package's units; angles in radians. */
+export interface Conditions {
+  sun: Vec3;
+  /** Angular radius of the sun, rad, and its distance, AU. */
+  radius: number;
+  distance: number;
+  turbidity: number;
+  albedo: number;
+  dni: number;
+  dhi: number;
+  dew: number;
+  /** Perez's five, and the diffuse horizontal illuminance of a sky of such letters, lx. */
+  letters: number[];
+  lux: number;
+  /** Diffuse share of global irradiance and clearness index of Brunger and Hooper; opaque cloud of Harrison and Coombes. */
+  share: number;
+  clearness: number;
+  cloud: number;
+  air: Air;
+  /** The moon of that hour; null where it is left out, or the sun is set by hand. */
+  moon: Moon | null;
+}
+
+/** Parameters that few models have. */
+export type Own = "letters" | "lux" | "share" | "clearness" | "cloud" | "air";
+
+export interface Model {
+  name: string;
+  label: string;
+  group: string;
+  source: string;
+  /** Turbidity's range; null where the model takes none. */
+  turbidity: [number, number] | null;
+  albedo: boolean;
+  irradiance: boolean;
+  own?: Own[];
+  /** Least elevation of the sun, degrees, that it has light for. */
+  lowest: number;
+  make(c: Conditions): Sky;
+}
