@@ -70,7 +70,7 @@ def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
     facts = sequence(frames)
     rows = sequence_rows(facts)
     if movie is not None:
-        seconds = np.array([time.timestamp() for time in frames.times])
+        seconds = [time.timestamp() for time in frames.times]
         with progress("encoding the film") as report:
             told = movie.made([order.output for order in frames], seconds, report)
         facts, rows = facts | told, rows | {"film": "{film}, {film_seconds:.1f} s".format(**told)}
