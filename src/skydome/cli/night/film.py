@@ -59,8 +59,6 @@ def movie_of(film: Path | None, date: str | None, exposure: float | None, night_
 
 def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
     """Make the frames that are not there yet, and the movie of all, and say what was made."""
-    import numpy as np
-
     from skydome.cli.commands.render import sequence, sequence_rows
     from skydome.cli.doors import progress
     from skydome.cli.printing import show
