@@ -103,7 +103,7 @@ def test_twilight_and_night_need_no_other_model(refused, call, tmp_path):
     made = json.loads(call("render", *night, "--json").stdout)
     assert 5e-4 < made["illuminance_lx"]["global"] < 0.3
     assert -9 < made["exposure_ev"] < 1
-    for option in (("--north", "20"), ("--sun-size", "2"), ("--blend-overcast", "0.5"), ("--dni", "100")):
+    for option in (("--sun-size", "2"), ("--blend-overcast", "0.5"), ("--dni", "100")):
         assert "the sun" in refused("render", *night, *option)
     line = refused("light", "--sun", "0,-13", "--model", "nishita-1993")
     assert "the sun must stand above -12 degrees, down to which nishita-1993 has light, got elevation -13.00" in line

@@ -59,8 +59,6 @@ def movie_of(film: Path | None, date: str | None, exposure: float | None, night_
 
 def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
     """Make the frames that are not there yet, and the movie of all, and say what was made."""
-    import numpy as np
-
     from skydome.cli.commands.render import sequence, sequence_rows
     from skydome.cli.doors import progress
     from skydome.cli.printing import show
@@ -70,7 +68,7 @@ def show_film(frames: Frames, movie: Movie | None, as_json: bool) -> None:
     facts = sequence(frames)
     rows = sequence_rows(facts)
     if movie is not None:
-        seconds = np.array([time.timestamp() for time in frames.times])
+        seconds = [time.timestamp() for time in frames.times]
         with progress("encoding the film") as report:
             told = movie.made([order.output for order in frames], seconds, report)
         facts, rows = facts | told, rows | {"film": "{film}, {film_seconds:.1f} s".format(**told)}

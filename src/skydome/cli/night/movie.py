@@ -32,7 +32,7 @@ class Movie:
         encoder()
         require_output(self.output, "a film", (".mp4",))
 
-    def made(self, frames: Sequence[Path], seconds: "np.ndarray", report: Callable[..., None]) -> dict[str, Any]:
+    def made(self, frames: Sequence[Path], seconds: Sequence[float], report: Callable[..., None]) -> dict[str, Any]:
         """Write it of maps in files, at their `seconds` (N,): the facts."""
         exposures = self.exposures(frames, seconds, report)
         first = self.picture(frames[0], exposures[0])
@@ -42,7 +42,7 @@ class Movie:
                 pipe.write(self.picture(path, exposure))
         return {"film": str(self.output), "film_seconds": len(frames) / RATE, "film_bytes": self.output.stat().st_size}
 
-    def exposures(self, frames: Sequence[Path], seconds: "np.ndarray", report: Callable[..., None]) -> list[float]:
+    def exposures(self, frames: Sequence[Path], seconds: Sequence[float], report: Callable[..., None]) -> list[float]:
         """The factor per cd m-2 of each."""
         import numpy as np
 
@@ -54,7 +54,7 @@ class Movie:
         for number, path in enumerate(frames):
             report(number, len(frames), f"metering {path.name}")
             wanted.append(exposure_of(self.seen(path), None))
-        return calmed(np.log(wanted), seconds)
+        return calmed(np.log(wanted), np.array(seconds))
 
     def seen(self, path: Path) -> "EnvironmentMap":
         """A map as it is shown."""

@@ -1,0 +1,83 @@
+"""Twilight by an independent program, sasktran2 (MIT), against the path tracer and the physical sky.
+
+    pip install -c constraints.txt sasktran2
+    python benchmarks/twilight.py straight | bent      (minutes a sun)
+
+`straight`: sasktran2's successive orders in round shells, scalar, against `PathTraced(refraction=False)`; `bent`: the
+physical sky against `PathTraced(refraction=True)`, since the two need no third for that. Five views (10 and 30 degrees
+above the sun's horizon, zenith, the same opposite) at 450, 550 and 650 nm, aerosol .1, albedo .2, ozone 330 DU.
+"""
+
+import sys
+from dataclasses import replace
+
+import numpy as np
+
+import skydome as sd
+from skydome.own_air.all_air.shells import PROFILES, RADIUS, TOP
+from skydome.skies.all_air.taught_air import Optics, optics
+
+WAVELENGTHS = np.array([450.0, 550.0, 650.0])
+AIR = replace(sd.clear_air(0.1, ozone=330, albedo=0.2), gases=None)
+ELEVATIONS, AZIMUTHS = np.radians([10.0, 30.0, 90.0, 30.0, 10.0]), np.radians([0.0, 0.0, 0.0, 180.0, 180.0])
+SUNS = (-2.0, -4.0, -6.0, -8.0)
+DEPOLARISATION, HIGH_ASYMMETRY = 0.0279, 0.7
+
+
+def judged(air: Optics, sun: float, suns: int = 13, levels: int = 51, points: int = 302) -> np.ndarray:
+    """Light for a sun of irradiance 1, (views, wavelengths), of a grid of so many suns, heights and directions."""
+    import sasktran2 as sk
+
+    heights, sine, config = np.linspace(0, TOP, levels), float(np.sin(np.radians(sun))), sk.Config()
+    config.num_stokes, config.num_threads, config.num_singlescatter_moments, config.num_sza = 1, 1, 64, suns
+    config.multiple_scatter_source = sk.MultipleScatterSource.SuccessiveOrders
+    config.single_scatter_source, config.delta_m_scaling = sk.SingleScatterSource.Exact, False
+    config.num_successive_orders_incoming = config.num_successive_orders_outgoing = points
+    shells = sk.Geometry1D(
+        sine, 0.0, RADIUS, heights, sk.InterpolationMethod.LinearInterpolation, sk.GeometryType.Spherical
+    )
+    rays = sk.ViewingGeometry()
+    for elevation, azimuth in zip(ELEVATIONS, AZIMUTHS, strict=True):
+        rays.add_ray(sk.SolarAnglesObserverLocation(sine, float(azimuth), float(np.sin(elevation)), 0.1))
+    given = sk.Atmosphere(shells, config, numwavel=len(WAVELENGTHS), calculate_derivatives=False)
+    fill(given, air, heights)
+    return np.asarray(sk.Engine(config, shells, rays).calculate_radiance(given)["radiance"])[..., 0].T
+
+
+def fill(given, air: Optics, heights: np.ndarray) -> None:
+    """Extinction, albedos and moments of the phase function, ground."""
+    density = np.stack([part.density(heights) for part in PROFILES])
+    density /= np.trapezoid(density, heights, axis=1)[:, None]
+    depths = np.stack([air.molecules, air.aerosol, air.stratospheric, air.absorbers])
+    scattered = np.stack([air.molecules, air.aerosol * air.aerosol_albedo, air.stratospheric])
+    extinction, each = np.einsum("kh,kn->hn", density, depths), np.einsum("kh,kn->khn", density[:3], scattered)
+    total = each.sum(axis=0)
+    given.storage.total_extinction[:], given.storage.ssa[:] = extinction, np.clip(total / extinction, 0, 1)
+    share, orders = each / np.maximum(total, 1e-300), np.arange(given.leg_coeff.a1.shape[0])
+    low = (2 * orders[:, None] + 1) * air.asymmetry ** orders[:, None]
+    high = (2 * orders + 1) * HIGH_ASYMMETRY**orders
+    molecules = (orders == 0) + (orders == 2) * (1 - DEPOLARISATION) / (2 + DEPOLARISATION)
+    given.leg_coeff.a1[:] = (
+        molecules[:, None, None] * share[0] + np.einsum("ln,hn->lhn", low, share[1]) + high[:, None, None] * share[2]
+    )
+    given.surface.albedo[:] = air.ground
+
+
+def main(kind: str) -> None:
+    """Prints the differences, view by view."""
+    views = sd.direction(AZIMUTHS, ELEVATIONS)
+    for elevation in SUNS if kind == "straight" else (0.0, -1.0, *SUNS, -10.0):
+        sun = sd.direction(0.0, elevation * sd.deg)
+        sky = sd.PathTraced(sun, AIR, refraction=kind == "bent")
+        tracing = sky.job(views, WAVELENGTHS).start().until(0.006 if elevation > -7 else 0.012, 4000)
+        if kind == "straight":
+            light = judged(optics(AIR, WAVELENGTHS, np.zeros(1)), elevation) * AIR.sun_at(WAVELENGTHS)
+        else:
+            light = sd.PhysicalSky(sun, AIR).radiance(views, WAVELENGTHS)
+        error = light / tracing.radiance - 1
+        print(f"sun {elevation:g}, noise {tracing.relative_error:.1%}, rms {np.sqrt((error**2).mean()):.1%}")
+        print((100 * error.T).round(1), flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else "bent")
