@@ -18,7 +18,7 @@ from skydome.years.weather.sun_of_interval import lit_sun
 WIDE, HIGH, LINE = 400, 100, 16
 KINDS = ((sd.Cumulus(), 0.4, 7), (sd.Stratocumulus(), 0.8, 3), (sd.Altocumulus(), 0.6, 3), (sd.Cirrus(), 0.6, 3))
 SUNS = (55.0, 15.0, 1.5)
-DAY, HOURS = "2026-06-21", range(6, 19, 2)
+DAY = "2026-06-21"
 
 
 def strip(sky: sd.ColourSky) -> Image.Image:
@@ -39,7 +39,7 @@ def page(rows: list[list[tuple[str, Image.Image]]], name: str) -> None:
         for i, (text, image) in enumerate(row):
             whole.paste(image, (i * WIDE, j * (HIGH + LINE) + LINE))
             write(draw, (i * WIDE + 4, j * (HIGH + LINE) + LINE // 2), text, size=11, anchor="lm")
-    keep(whole.quantize(palette=whole.quantize(160), dither=Image.Dither.FLOYDSTEINBERG), name)
+    keep(whole.quantize(128), name)
 
 
 def kinds() -> None:
