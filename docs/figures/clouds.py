@@ -61,7 +61,7 @@ def day(path: str) -> None:
     weather = sd.read_weather(path, shift="auto")
     suns, rows = lit_sun(weather), []
     local = weather.local
-    for k in np.flatnonzero(np.char.startswith(local.astype(str), weather_day(local, DAY))):
+    for k in np.flatnonzero(np.char.startswith(local.astype(str), weather_day(local, DAY)))[::2]:
         if elevation(suns.directions[k]) < 4 * sd.deg or suns.lit[k] < 1:
             continue
         dni, dhi = float(weather.direct_normal[k]), float(weather.diffuse_horizontal[k])
