@@ -118,7 +118,7 @@ class HeldSky(SunlitSky, ColourSky):
         laws = [part.phase_law for part in self.atmosphere.constituents]
         return HeldRows.of(float(zenith_angle(self.sun)), self.series, laws, [pivots(law) for law in laws])
 
-    @property
+    @cached_property
     def on_level(self) -> np.ndarray:
         """XYZ of the light on the horizontal, Y in lx, (3,)."""
         return self.rows.on_level()
