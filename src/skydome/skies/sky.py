@@ -146,7 +146,7 @@ class SunlitSky(Sky):
 
     @property
     def haze(self) -> Any:
-        """Turbidity of the air that the sun shines through, where the sky was made for one; None for others."""
+        """Turbidity of the air that the sun shines through, or its `Atmosphere`, where the sky has one; else None."""
         return None
 
     @property

@@ -64,7 +64,7 @@ def terrain(
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
     )
     known = any(part.sunlit is not None and part.sunlit.haze is not None for part in scene.whole.parts)
-    haze = options.turbidity or (None if known else 3.0)
+    haze = None if known else options.turbidity or 3.0
     grey = float(np.mean(surface, axis=tuple(range(np.ndim(surface) - 1))) @ np.asarray(SRGB.to_xyz[1]))
     air = None if no_air else AirLight(scene.whole, None, haze, grey, meets_horizon=not own_haze)
     with progress("rendering") as report:

@@ -33,6 +33,11 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.laws
 
     @property
+    def haze(self) -> Atmosphere:
+        """The air itself."""
+        return self.atmosphere
+
+    @property
     def albedo(self) -> Any:
         """The ground's, a number or a `Spectrum`."""
         return self.atmosphere.albedo

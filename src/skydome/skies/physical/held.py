@@ -56,6 +56,11 @@ class HeldSky(SunlitSky, ColourSky):
         return self.sky.atmosphere
 
     @property
+    def haze(self) -> Atmosphere:
+        """The air itself."""
+        return self.atmosphere
+
+    @property
     def albedo(self) -> Any:
         """The ground's."""
         return self.sky.albedo
