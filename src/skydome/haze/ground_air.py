@@ -172,8 +172,7 @@ def decay_of(parts: list[Constituent], otherwise: float) -> float:
 
 def air_of(sky: Sky, turbidity: Any = None) -> GroundAir:
     """Air of a turbidity, or that of a sky; ValueError where neither tells it."""
-    own = (part.sunlit.haze for part in sky.parts if part.sunlit is not None)
-    value = turbidity if turbidity is not None else next((air for air in own if air is not None), None)
+    value = turbidity if turbidity is not None else own_air(sky)
     if value is None:
         raise ValueError(f"{type(sky).__name__} has no turbidity; give turbidity=...")
     if isinstance(value, Atmosphere):
@@ -185,3 +184,10 @@ def air_of(sky: Sky, turbidity: Any = None) -> GroundAir:
     if not ((known >= 1) & (known <= 64)).all():
         raise ValueError(f"turbidity must lie in [1, 64], got {np.min(known):g} to {np.max(known):g}")
     return TurbidAir(value)
+
+
+def own_air(sky: Sky) -> Any:
+    """The `Atmosphere` or the turbidity of the first part of a sky that has one; else None."""
+    sunlit = [part.sunlit for part in sky.parts if part.sunlit is not None]
+    known = (part.haze if part.far_air is None else part.far_air for part in sunlit)
+    return next((air for air in known if air is not None), None)

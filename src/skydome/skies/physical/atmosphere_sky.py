@@ -33,7 +33,7 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.laws
 
     @property
-    def haze(self) -> Atmosphere:
+    def far_air(self) -> Atmosphere:  # type: ignore[override]
         """The air itself."""
         return self.atmosphere
 

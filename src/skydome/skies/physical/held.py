@@ -56,7 +56,7 @@ class HeldSky(SunlitSky, ColourSky):
         return self.sky.atmosphere
 
     @property
-    def haze(self) -> Atmosphere:
+    def far_air(self) -> Atmosphere:  # type: ignore[override]
         """The air itself."""
         return self.atmosphere
 
