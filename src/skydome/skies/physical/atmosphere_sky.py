@@ -33,7 +33,7 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.laws
 
     @property
-    def far_air(self) -> Atmosphere:  # type: ignore[override]
+    def far_air(self) -> Atmosphere:
         """The air itself."""
         return self.atmosphere
 

@@ -56,7 +56,7 @@ class HeldSky(SunlitSky, ColourSky):
         return self.sky.atmosphere
 
     @property
-    def far_air(self) -> Atmosphere:  # type: ignore[override]
+    def far_air(self) -> Atmosphere:
         """The air itself."""
         return self.atmosphere
 

@@ -37,7 +37,7 @@ class AtmosphereSun(SunDisc):
     source: ClassVar[str] = "the atmosphere's sunlight and depths; limb darkening of Hosek and Wilkie 2013"
 
     @property
-    def far_air(self) -> Atmosphere:  # type: ignore[override]
+    def far_air(self) -> Atmosphere:
         """The atmosphere."""
         return self.atmosphere
 
