@@ -46,8 +46,7 @@ def main():
     """Write the figure."""
     land = ridges()
     rows = [pictures(land, *sun) for sun in ((25, 150), (4, 105), (-3, 90))]
-    image = Image.fromarray((255 * np.concatenate(rows)).astype(np.uint8))
-    image.quantize(255, dither=Image.Dither.FLOYDSTEINBERG).save(FIGURE, optimize=True)
+    Image.fromarray((255 * np.concatenate(rows)).astype(np.uint8)).save(FIGURE, optimize=True)
 
 
 if __name__ == "__main__":
