@@ -7,16 +7,14 @@ by the aerosol's mean cosine alone, and as the sky is. The first row is one lobe
 """
 
 import sys
-from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
-from aerosol_laws import NEAR, VIEWS, WAVELENGTHS
+from aerosol_laws import SUNS, WAVELENGTHS, around, by_mean_cosine, errors
 
 import skydome as sd
 from skydome.air.constituents import Aerosol
 from skydome.air.phase_laws import HenyeyGreenstein
-from skydome.skies.all_air import low_aerosol
 
 MODES = {
     "soluble": (0.0306e-6, 2.24, 1.43, 0.004),
@@ -26,32 +24,13 @@ MODES = {
     "sea salt, accumulation": (0.378e-6, 2.03, 1.36, 1e-8),
 }
 """Median radius, m, geometric deviation (insoluble matter's 2.51 held to 2), real and imaginary refractive index."""
-SUNS = (10.0, 25.0, 40.0, 70.0)
-
-
-@contextmanager
-def by_mean_cosine():
-    """The physical sky as it was before: the rest knows a law's mean cosine alone."""
-    held = low_aerosol.LowAerosol.of
-    low_aerosol.LowAerosol.of = classmethod(lambda cls, *_: None)
-    try:
-        yield
-    finally:
-        low_aerosol.LowAerosol.of = held
-
-
-def errors(sky, truth, views):
-    """Relative errors, %."""
-    return 100 * (np.asarray(sky.radiance(views, WAVELENGTHS)) / truth - 1)
 
 
 def row(name, airs):
     """Print a row of one sun after another."""
     cells = []
     for elevation in SUNS:
-        sun, found = sd.direction(0.0, elevation * sd.deg), ([], [])
-        views = np.concatenate([VIEWS, sd.direction(0.0, (elevation + NEAR) * sd.deg)[None]])
-        far = np.asarray(sd.angle_between(views, sun)) > 15 * sd.deg
+        (sun, views, far), found = around(elevation), ([], [])
         for air in airs:
             truth = sd.DiscreteOrdinates(sun, air, streams=32).radiance(views, WAVELENGTHS)
             with by_mean_cosine():
