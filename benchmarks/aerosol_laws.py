@@ -1,8 +1,8 @@
 """The physical sky with aerosols of many phase laws against discrete ordinates: `python benchmarks/aerosol_laws.py`.
 
 Rows for docs/models/physical.md, suns of 10, 25, 40 and 70 degrees: rms of the whole radiance, in brackets its mean,
-over 24 views beyond 15 degrees from the sun and 3 wavelengths; then that of a view 4 degrees from the sun at 10 and at 40.
-Aerosol 0.2 deep at 550 nm, ground 0.2. Before: the rest knows a law's mean cosine alone. 30 CPU seconds.
+over 24 views beyond 15 degrees from the sun and 3 wavelengths; then that of a view 4 degrees from the sun. Aerosol 0.2
+deep at 550 nm, ground 0.2. Before: the rest knows a law's mean cosine alone. 30 CPU seconds.
 """
 
 from contextlib import contextmanager
