@@ -28,7 +28,7 @@ JOBS = {
     "convert": ("convert", "map.exr", "-o", "other.exr", "--target", "mitsuba", "--height", "3000"),
     "simulate": ("simulate", "grid.toml", "-o", "store.zarr"),
     "year": ("year", "place.wea", "-o", "year.nc", "--colour", "physical"),
-    "daylight": ("daylight", "place.wea"),
+    "illuminance of a year": ("illuminance", "--weather", "place.wea", "--plane", "180,30"),
     "train": ("train", "--model", "preetham", "--recipe", "published-data", "-o", "n.safetensors"),
     "animate": ("animate", "--place", "45,7.69", "--date", "2026-06-21", "--step", "30min", "-o", "frames"),
 }  # fmt: skip

@@ -193,6 +193,32 @@ def test_air_of_labelled_depths_and_what_light_does():
     assert sd.Atmosphere.standard(depths).transmittance(0.5, [550.0]).shape == (3, 1)
 
 
+def test_discs_of_another_size_or_of_a_time_keep_labels():
+    suns, times = pd.DataFrame(SUNS, HOURS), pd.Series(HOURS, index=HOURS)
+    for sky, plain in (
+        (sd.HosekWilkie(suns, 3.0), sd.HosekWilkie(SUNS, 3.0)),
+        (sd.PhysicalSky(suns), sd.PhysicalSky(SUNS)),
+    ):
+        disc, bare = sd.SunDisc.of(sky), sd.SunDisc.of(plain)
+        same(disc.of_size(0.05).illuminance(sd.ZENITH), bare.of_size(0.05).illuminance(sd.ZENITH), HOURS)
+        np.testing.assert_allclose(disc.of_size(0.05).illuminance(sd.ZENITH), bare.illuminance(sd.ZENITH), rtol=1e-9)
+        of_time, bare_time = sd.SunDisc.of(sky, time=times), sd.SunDisc.of(plain, time=HOURS)
+        same(of_time.illuminance(sd.ZENITH), bare_time.illuminance(sd.ZENITH), HOURS)
+
+
+@pytest.mark.parametrize(("name", "values"), [("ozone", [250.0, 400.0]), ("albedo", [0.1, 0.6]), ("water", [1.0, 4.0])])
+def test_every_number_of_the_air_may_be_many(name, values):
+    light = sd.illuminance(sd.PhysicalSky(SUN, sd.clear_air(**{name: pd.Series(values, index=["a", "b"])})))
+    for label, value in zip("ab", values, strict=True):
+        assert light[label] == pytest.approx(
+            sd.illuminance(sd.PhysicalSky(SUN, sd.clear_air(**{name: value}))), rel=1e-4
+        )
+
+
+def test_a_labelled_day_alone_is_a_day():
+    assert sd.sun_events(TURIN, xr.DataArray(np.datetime64("2026-06-21"))) == sd.sun_events(TURIN, "2026-06-21")
+
+
 def angles(toward):
     return sd.azimuth(toward), sd.elevation(toward)
 

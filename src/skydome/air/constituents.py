@@ -72,7 +72,7 @@ class Molecules(Constituent):
     [0.2844, 0.0288]
     """
 
-    pressure: float = STANDARD_PRESSURE
+    pressure: Any = STANDARD_PRESSURE
     profile: Profile = STANDARD_1976
     depolarisation: float = 0.0279
     optical_depth: Any = None
@@ -109,7 +109,7 @@ class Aerosol(Constituent):
     """
 
     optical_depth: Any = 0.1
-    angstrom: float = 1.3
+    angstrom: Any = 1.3
     albedo: Any = 0.92
     phase: PhaseLaw = field(default_factory=HenyeyGreenstein)
     profile: Profile = field(default_factory=lambda: Exponential(1500.0))
@@ -142,7 +142,7 @@ class Ozone(Constituent):
     [0.0392]
     """
 
-    column: float = 330.0
+    column: Any = 330.0
     profile: Profile = OZONE_LAYER
     bounds: ClassVar = {"column": Range(0.0, 1e5, "Dobson units")}
 

@@ -198,6 +198,7 @@ class NamedAirs:
     @classmethod
     def from_linke(cls, linke: float, **others: Any) -> Any:
         """Air of Linke's turbidity factor (air mass 2, 2 cm of water); `others` as in `from_turbidity`."""
+        require_one("linke", linke)
         return cls.from_turbidity(float(from_linke(linke)), **others)
 
     @classmethod

@@ -8,18 +8,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.air.phase_functions import (
-    ClosedForm,
-    cornette_shanks,
-    haze,
-    henyey_greenstein,
-    legendre,
-    rayleigh,
-    rayleigh_polarised,
-    series_sum,
-)
+from skydome.air import phase_functions
+from skydome.air.phase_functions import ClosedForm, legendre, series_sum
 from skydome.ground.arguments import numbers
-from skydome.ground.arrays import Array, constant, floating, is_numpy
+from skydome.ground.arrays import Array, constant, floating, is_numpy, namespace
 from skydome.ground.limits.ranges import FINITE, HeldBySky, Range, require
 from skydome.ground.quadrature import gauss_legendre
 from skydome.light.spectrum import Spectrum
@@ -50,6 +42,15 @@ class PhaseLaw(HeldBySky, ABC):
         """The mean cosine of the scattering angle, (W,), or (..., W) where the law's numbers are arrays (...,)."""
         return self.moments(2, wavelengths)[1]
 
+    @property
+    def one_lobe(self) -> bool:
+        """Whether it is one Henyey-Greenstein lobe."""
+        return False
+
+    def second_moment(self, wavelengths: Any) -> Array:
+        """The second Legendre moment, the mean of (3 cos^2 - 1) / 2, of the shape of `mean_cosine`."""
+        return self.moments(3, wavelengths)[2]
+
     def moments(self, count: int, wavelengths: Any) -> Array:
         """Legendre moments 0 .. count - 1 (the first is 1), shape (count, W), by quadrature in the angle."""
         t, w = gauss_legendre(max(512, 4 * count))
@@ -75,17 +76,17 @@ class Rayleigh(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Chandrasekhar's generalised form, the same for all wavelengths."""
-        return spread(rayleigh(floating(cosine), self.depolarisation), wavelengths)
+        return spread(phase_functions.rayleigh(floating(cosine), self.depolarisation), wavelengths)
 
     def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The same at every angle."""
-        return spread(0.0 * floating(cosine) + rayleigh_polarised(self.depolarisation), wavelengths)
+        return spread(0.0 * floating(cosine) + phase_functions.rayleigh_polarised(self.depolarisation), wavelengths)
 
     @property
     def closed(self) -> ClosedForm:
         """A constant and a square."""
-        level = float(rayleigh(np.asarray(0.0), self.depolarisation))
-        return ClosedForm(level, float(rayleigh(np.asarray(1.0), self.depolarisation)) - level)
+        level = float(phase_functions.rayleigh(np.asarray(0.0), self.depolarisation))
+        return ClosedForm(level, float(phase_functions.rayleigh(np.asarray(1.0), self.depolarisation)) - level)
 
     def mean_cosine(self, wavelengths: Any) -> Array:
         """None: as much goes forward as back."""
@@ -109,10 +110,9 @@ class HenyeyGreenstein(PhaseLaw):
 
     def __post_init__(self) -> None:
         require("peak_polarisation", self.peak_polarisation, self.bounds["peak_polarisation"])
-        if len(self.asymmetries) != len(self.weights) or not self.weights:
-            raise ValueError(
-                f"each lobe needs a weight, got {len(self.asymmetries)} lobes, {len(self.weights)} weights"
-            )
+        lobes, weights = len(self.asymmetries), len(self.weights)
+        if lobes != weights or not weights:
+            raise ValueError(f"each lobe needs a weight, got {lobes} lobes, {weights} weights")
         for g in self.asymmetries:
             require("asymmetry", g, ASYMMETRY)
         if not (min(self.weights) >= 0 and sum(self.weights) > 0):
@@ -126,16 +126,19 @@ class HenyeyGreenstein(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The lobes' sum, the same for all wavelengths."""
-        cosine = floating(cosine)
-        lobes = [
-            float(part) * henyey_greenstein(cosine, g) for g, part in zip(self.asymmetries, self.shares, strict=True)
-        ]
+        c, parts = floating(cosine), zip(self.asymmetries, self.shares, strict=True)
+        lobes = [float(part) * phase_functions.henyey_greenstein(c, g) for g, part in parts]
         return spread(sum(lobes[1:], lobes[0]), wavelengths)
 
     def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """White 1979: P12 = -peak P11 (1 - cos^2) / (1 + cos^2), as of Rayleigh's."""
         c = floating(cosine)
         return self.value(c, wavelengths) * (self.peak_polarisation / (1 + c * c))[..., None]
+
+    @property
+    def one_lobe(self) -> bool:
+        """Where it has one."""
+        return len(self.asymmetries) == 1
 
     @property
     def closed(self) -> ClosedForm | None:
@@ -145,15 +148,11 @@ class HenyeyGreenstein(PhaseLaw):
         each = [(float(part), float(g)) for part, g in zip(self.shares, self.asymmetries, strict=True)]
         return ClosedForm(lobes=tuple((part * (1 - g * g) / (4 * np.pi), 0.0, g) for part, g in each))
 
-    def mean_cosine(self, wavelengths: Any) -> Array:
-        """The sum of the lobes' g."""
-        means = [float(part) * floating(g) for g, part in zip(self.asymmetries, self.shares, strict=True)]
-        return spread(sum(means[1:], means[0]), wavelengths)
-
     def moments(self, count: int, wavelengths: ArrayLike) -> Array:
-        """The sum of g^n, exact."""
-        powers = np.asarray(self.asymmetries) ** np.arange(count)[:, None]
-        return spread(powers @ self.shares, wavelengths)
+        """The sums of g^n, exact, (count, ..., W) where the lobes' g are arrays (...,)."""
+        lobes = [(float(part), floating(g)) for g, part in zip(self.asymmetries, self.shares, strict=True)]
+        each = [spread(sum(part * g**order for part, g in lobes), wavelengths) for order in range(count)]
+        return namespace(each[0]).stack(each)
 
 
 @dataclass(frozen=True)
@@ -176,7 +175,7 @@ class CornetteShanks(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """The same for all wavelengths."""
-        return spread(cornette_shanks(floating(cosine), self.asymmetry), wavelengths)
+        return spread(phase_functions.cornette_shanks(floating(cosine), self.asymmetry), wavelengths)
 
 
 @dataclass(frozen=True)
@@ -187,7 +186,7 @@ class Haze(PhaseLaw):
 
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Interpolated in angle and wavelength."""
-        return haze(floating(cosine), wavelengths)
+        return phase_functions.haze(floating(cosine), wavelengths)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -92,13 +92,22 @@ def require_dtype(dtype: Any) -> None:
 
 def require_one_condition(sky: Sky) -> None:
     """ValueError unless the sky's parameters are single numbers."""
-    like = own_array(sky)
-    shape = tuple(sky.for_maps.luminance(ZENITH if like is None else constant(ZENITH, like)).shape)
+    shape = condition_of(sky)
     if shape:
         raise ValueError(
             "a map shows one sky at a time: parameters must be single numbers, got shape "
             f"{shape}; skydome.render_pixels gives one map a sky"
         )
+
+
+def condition_of(sky: Sky) -> tuple[int, ...]:
+    """The shape of the sky's light in one direction: of its light on the horizontal where it keeps that."""
+    shown = sky.for_maps
+    known = shown.on_level if isinstance(shown, ColourSky) else None
+    if known is not None:
+        return known.shape[:-1]
+    like = own_array(sky)
+    return tuple(shown.luminance(ZENITH if like is None else constant(ZENITH, like)).shape)
 
 
 def in_numpy(sky: ColourSky) -> ColourSky:

@@ -96,7 +96,7 @@ class Door(NamedTuple):
         plain = value.transpose(*order, *rest).to_numpy()
         first = next((k for k, axis in enumerate(self.axes) if axis.name in order), len(self.axes))
         leading = [axis.length if axis.name in order else 1 for axis in self.axes[first:]]
-        return np.asarray(plain.reshape(*leading, *plain.shape[plain.ndim - len(rest) :]))
+        return np.asarray(plain).reshape((*leading, *plain.shape[plain.ndim - len(rest) :]))
 
     def labelled(self, result: Any, last: tuple[Axis, ...], name: str, unit: str) -> Any:
         """The result with the labels; `last` are those of its own last axes. Plain where pandas has no such array."""

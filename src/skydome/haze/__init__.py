@@ -1,6 +1,7 @@
 """The colour of distance: what the air between takes from far objects, and adds to them.
 
 - aerial_perspective  The colour of distance: what air takes from the light of a far object, and what light it adds
+- ground_air          The air at the ground, of a turbidity or of an atmosphere: how it thins out, takes and scatters
 - light               The light that gas and haze at the ground scatter toward a viewer
 - horizon_light       The light of the sky's own horizon as the limit of haze
 - integrals           The integrals of aerial perspective, extinction along a ray

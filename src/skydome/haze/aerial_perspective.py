@@ -6,15 +6,15 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from skydome.air.scattering import concentration, gas_total, haze_total
 from skydome.dome.integrals import discs_and_rest
-from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace
+from skydome.ground.arrays import Array, as_numpy, constant, floating, is_numpy, namespace
 from skydome.ground.compiled import has_numba
 from skydome.ground.directions import checked_directions
 from skydome.ground.labels import keeps_labels
 from skydome.ground.limits.ranges import FINITE, NOT_NEGATIVE, SHARE, Bounded
 from skydome.haze.channels import RedGreenBlue, Wavelengths, channels_asked
 from skydome.haze.fast import FastAir
+from skydome.haze.ground_air import GroundAir, air_of
 from skydome.haze.horizon_light import HorizonLight, horizon_directions
 from skydome.haze.integrals import Coefficients, FewNodes, Integration, Ray, checked_metres, densities
 from skydome.haze.light import LightTable, Sources, constant_or_own, sky_nodes, with_ground
@@ -26,9 +26,6 @@ MANY = 500
 
 MANY_PIXELS = 10_000
 """From so many rays on, RGB in NumPy is computed by the Numba kernel, if Numba is installed (float32, error .2 %)."""
-
-KEPT_TURBIDITY = 2.0
-"""The turbidity at which scattered light is kept; that of haze is proportional to its concentration."""
 
 
 class AerialPerspective(NamedTuple):
@@ -52,7 +49,8 @@ class AirLight(Bounded):
     """The air of one sky, ready for many rays. See `aerial_perspective` for the parameters.
 
     `height` is measured above the ground to which `turbidity` belongs. `meets_horizon`: scattered light is scaled, by
-    azimuth and channel, until an endless level ray takes the light of the sky's horizon behind it.
+    azimuth and channel, until an endless level ray takes the light of the sky's horizon behind it; None: where the air
+    is an atmosphere's.
 
     >>> import skydome as sd
     >>> air = AirLight(sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0))
@@ -66,7 +64,7 @@ class AirLight(Bounded):
     turbidity: Any = None
     ground_albedo: float = 0.0
     method: Integration = field(default_factory=FewNodes)
-    meets_horizon: bool = False
+    meets_horizon: bool | None = None
     bounds: ClassVar = {"ground_albedo": SHARE, "turbidity": FINITE, "wavelengths": NOT_NEGATIVE}
     kinds: ClassVar = {"method": (Integration, "FewNodes()")}
 
@@ -77,8 +75,8 @@ class AirLight(Bounded):
         self.require_bounds()
         if self.wavelengths is not None:
             Wavelengths(checked_wavelengths(self.wavelengths))
-        if np.ndim(self.haze_turbidity) and self.meets_horizon:
-            raise ValueError(f"meets_horizon needs one turbidity, got shape {np.shape(self.haze_turbidity)}")
+        if np.ndim(self.air.scale) and self.melts:
+            raise ValueError(f"meets_horizon needs one turbidity, got shape {np.shape(self.air.scale)}")
 
     @cached_property
     def parts(self) -> tuple[list[Any], list[Sky]]:
@@ -97,24 +95,14 @@ class AirLight(Bounded):
         return RedGreenBlue() if self.wavelengths is None else Wavelengths(checked_wavelengths(self.wavelengths))
 
     @cached_property
-    def haze_turbidity(self) -> Any:
-        """The turbidity given, or that of the sky; ValueError where neither is."""
-        own = (part.sunlit.haze for part in self.sky.parts if part.sunlit is not None)
-        value = self.turbidity if self.turbidity is not None else next((t for t in own if t is not None), None)
-        if value is None:
-            raise ValueError(f"{type(self.sky).__name__} has no turbidity; give turbidity=...")
-        if self.turbidity is None and np.ndim(value) != 0:
-            raise ValueError(f"the sky must have one turbidity, got shape {np.shape(value)}; loop over its skies")
-        value = floating(value) if np.ndim(value) else value
-        known = as_numpy(value) if is_concrete(value) else np.ones(1)
-        if not ((known >= 1) & (known <= 64)).all():
-            raise ValueError(f"turbidity must lie in [1, 64], got {np.min(known):g} to {np.max(known):g}")
-        return value
+    def air(self) -> GroundAir:
+        """The air of the turbidity given, or that of the sky; ValueError where neither tells it."""
+        return air_of(self.sky, self.turbidity)
 
-    @property
-    def haze_scale(self) -> Any:
-        """How much more haze there is than in the air for which the scattered light is kept, shape of the turbidity."""
-        return concentration(self.haze_turbidity) / concentration(KEPT_TURBIDITY)
+    @cached_property
+    def melts(self) -> bool:
+        """Whether far haze takes the light of the sky's horizon."""
+        return not self.air.own_limit if self.meets_horizon is None else self.meets_horizon
 
     @cached_property
     def like(self) -> Array:
@@ -124,10 +112,8 @@ class AirLight(Bounded):
 
     def coefficients(self, like: Array) -> Coefficients:
         """Total scattering of the channels and at 550 nm."""
-        t = self.haze_turbidity
-        haze, gas = self.channels.coefficients(t)
-        haze_550 = haze_total([550.0], t)[..., 0]
-        parts = (haze, gas, haze_550, np.asarray(gas_total([550.0])[0]))
+        haze_550, gas_550 = self.air.extinction(np.array([550.0]))
+        parts = (*self.channels.coefficients(self.air), haze_550[..., 0], gas_550[..., 0])
         return Coefficients(*(constant_or_own(np.asarray(p) if is_numpy(p) else p, like) for p in parts))
 
     @cached_property
@@ -138,9 +124,9 @@ class AirLight(Bounded):
         if self.ground_albedo > 0:
             flux = constant(solid_angles * directions[:, 2], light) @ light + self.sun_flux
             directions, light, solid_angles = with_ground(directions, light, solid_angles, flux * self.ground_albedo)
-        haze, gas = self.channels.scattered(light, KEPT_TURBIDITY)
+        haze, gas = self.channels.scattered(light, self.air)
         weights = constant(solid_angles, light)[:, None]
-        return Sources(directions, haze * weights, gas * weights, self.channels.wavelengths)
+        return Sources(directions, haze * weights, gas * weights, self.channels.wavelengths, self.air)
 
     @cached_property
     def sun_flux(self) -> Array:
@@ -152,8 +138,8 @@ class AirLight(Bounded):
         """The sun's discs as one direction each."""
         found = []
         for disc, weight in self.parts[0]:
-            haze, gas = self.channels.scattered(self.channels.sun_light(disc) * weight, KEPT_TURBIDITY)
-            found.append(Sources(disc.sun[None, :], haze[None, :], gas[None, :], self.channels.wavelengths))
+            haze, gas = self.channels.scattered(self.channels.sun_light(disc) * weight, self.air)
+            found.append(Sources(disc.sun[None, :], haze[None, :], gas[None, :], self.channels.wavelengths, self.air))
         return found
 
     @cached_property
@@ -164,11 +150,11 @@ class AirLight(Bounded):
     @cached_property
     def fast(self) -> FastAir:
         """The same in float32 for whole images of one turbidity; ValueError for more of them."""
-        if np.ndim(self.haze_turbidity) != 0:
-            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(self.haze_turbidity)}")
-        return FastAir.of(
-            self.coefficients(np.zeros(1)), float(as_numpy(self.haze_scale)), self.table, self.sun_sources
-        )
+        scale = self.air.scale
+        if np.ndim(scale) != 0:
+            raise ValueError(f"a picture needs air of one turbidity, got shape {np.shape(scale)}")
+        coefficients = self.coefficients(np.zeros(1))
+        return FastAir.of(coefficients, self.air.decays, float(as_numpy(scale)), self.table, self.sun_sources)
 
     @cached_property
     def horizon(self) -> HorizonLight:
@@ -178,7 +164,7 @@ class AirLight(Bounded):
 
     def factor(self, views: Array, height: Array) -> Array:
         """By what the scattered light toward views (..., 3) is multiplied, (..., C); see `meets_horizon`."""
-        return self.horizon.factor(views, densities(height), self.coefficients(views))
+        return self.horizon.factor(views, densities(height, self.air.decays), self.coefficients(views))
 
     def scattered(self, views: Array) -> tuple[Array, Array]:
         """S1 and S2 at the ground along views (..., 3), light per metre, each (..., C) (eq. 8)."""
@@ -186,7 +172,7 @@ class AirLight(Bounded):
         for sun in self.sun_sources:
             more = sun.toward(views)
             haze, gas = haze + more[0], gas + more[1]
-        scale = self.haze_scale
+        scale = self.air.scale
         return haze * (constant_or_own(scale, haze)[..., None] if np.ndim(scale) else scale), gas
 
     def at(self, distance: Any, direction: Any, height: Any = 0.0) -> AerialPerspective:
@@ -201,17 +187,18 @@ class AirLight(Bounded):
             found = AerialPerspective(*self.fast.at(distance, direction, float(height)))
         else:
             air, xp = self.coefficients(direction), namespace(direction, distance)
-            ray = Ray.at(*xp.broadcast_arrays(distance, direction[..., 2], height))
+            length, cosine, above = xp.broadcast_arrays(distance, direction[..., 2], height)
+            ray = Ray.at(length, cosine, above, self.air.decays)
             haze, gas = self.scattered(direction)
             first, second = self.method.integrals(ray, air)
             found = AerialPerspective(xp.exp(-self.method.optical_depth(ray, air)), haze * first + gas * second)
-        factor = self.factor(direction, height) if self.meets_horizon else 1.0
+        factor = self.factor(direction, height) if self.melts else 1.0
         return found._replace(inscattered=found.inscattered * factor)
 
     def takes_kernel(self, distance: Array, direction: Array, height: Array) -> bool:
         """True for many RGB rays in NumPy, by the default method, from one height."""
         usual = self.wavelengths is None and self.method == FewNodes() and is_numpy(direction)
-        large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.haze_turbidity) == 0
+        large = usual and direction.size >= 3 * MANY_PIXELS and np.ndim(height) == np.ndim(self.air.scale) == 0
         return bool(large and np.shape(distance) == direction.shape[:-1] and has_numba())
 
 
@@ -232,7 +219,8 @@ def aerial_perspective(
     sRGB scaled so that a white of 1 cd m-2 is (1, 1, 1), or `wavelengths` (W,) nm in W m-2 sr-1 nm-1. `sky` must know
     colour (a spectrum, for wavelengths); add the sun's disc to it (`sky + SunDisc.of(sky)`), else only skylight is
     scattered. `turbidity`, the air's, is the sky's own unless given, and then an array may broadcast with the rays:
-    the light stays that of the one sky. `ground_albedo` adds light from a grey ground.
+    the light stays that of the one sky. The skies of an `Atmosphere` have its air at the ground, and far things melt
+    into their horizon. `ground_albedo` adds light from a grey ground.
 
     Flat ground, gas and haze that thin out exponentially, light that does not change with height, each photon
     scattered once along the ray (Preetham 1999, section 4). NumPy, torch and JAX, with gradients. ValueError for a

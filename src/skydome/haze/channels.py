@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from skydome.air.scattering import gas_total, haze_total
+from skydome.air.scattering import haze_total
 from skydome.ground.arrays import Array, at_least, constant
 from skydome.ground.labels import Axis
-from skydome.haze.light import constant_or_own
+from skydome.haze.ground_air import GroundAir
 from skydome.light.colour import D65, SRGB, rgb_from_xyz, xyz_of_white
 from skydome.light.daylight import daylight_spectrum
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
@@ -35,9 +35,9 @@ class Wavelengths:
         if w[0] < 380 or w[-1] > 780:
             raise ValueError(f"wavelengths must lie in [380, 780] nm, got {w[0]:g} to {w[-1]:g}")
 
-    def coefficients(self, turbidity: Any) -> tuple[Array, np.ndarray]:
-        """Total scattering of haze and gas, m-1, (W,)."""
-        return haze_total(self.wavelengths, turbidity), gas_total(self.wavelengths)
+    def coefficients(self, air: GroundAir) -> tuple[Array, np.ndarray]:
+        """Extinction by haze and gas, m-1, (W,)."""
+        return air.extinction(self.wavelengths)
 
     def sky_light(self, sky: Sky, directions: Array) -> Array:
         """Radiance (N, W); TypeError for a sky without a spectrum."""
@@ -57,10 +57,10 @@ class Wavelengths:
         """Normal irradiance in the channels of `sky_light`."""
         return self.sun_light(disc)
 
-    def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
-        """Light (..., W) times the coefficients of haze and gas, each (..., W)."""
-        haze, gas = self.coefficients(turbidity)
-        return light * constant_or_own(haze, light), light * constant(gas, light)
+    def scattered(self, light: Array, air: GroundAir) -> tuple[Array, Array]:
+        """Light (..., W) times what haze that is kept and gas scatter, each (..., W)."""
+        haze, gas = air.scattering(self.wavelengths)
+        return light * constant(haze, light), light * constant(gas, light)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +89,10 @@ class RedGreenBlue:
         found: np.ndarray = np.interp(-means, -haze_total(BANDS, 2.0), BANDS)
         return found
 
-    def coefficients(self, turbidity: Any) -> tuple[Array, np.ndarray]:
-        """Total scattering of haze and gas, m-1, (3,)."""
-        return self.mean(haze_total(BANDS, turbidity)), np.asarray(self.mean(gas_total(BANDS)))
+    def coefficients(self, air: GroundAir) -> tuple[Array, np.ndarray]:
+        """Extinction by haze and gas, m-1, (3,)."""
+        haze, gas = air.extinction(BANDS)
+        return self.mean(haze), np.asarray(self.mean(gas))
 
     def sky_light(self, sky: Sky, directions: Array) -> Array:
         """Radiance at BANDS (N, B), or RGB (N, 3) of a sky without spectrum; TypeError for one without colour."""
@@ -115,14 +116,14 @@ class RedGreenBlue:
         """Normal irradiance in the channels of `sky_light` of a sky."""
         return self.sun_light(disc) if isinstance(sky, SpectralSky) else rgb_from_xyz(disc.normal_xyz)
 
-    def scattered(self, light: Array, turbidity: Any) -> tuple[Array, Array]:
-        """Light (..., B) or (..., 3) times the coefficients of haze and gas, each (..., 3) in RGB."""
+    def scattered(self, light: Array, air: GroundAir) -> tuple[Array, Array]:
+        """Light (..., B) or (..., 3) times what haze that is kept and gas scatter, each (..., 3) in RGB."""
         if light.shape[-1] == 3:
-            haze, gas = self.coefficients(turbidity)
-            return light * constant_or_own(haze, light), light * constant(gas, light)
+            haze, gas = (np.asarray(self.mean(part)) for part in air.scattering(BANDS))
+            return light * constant(haze, light), light * constant(gas, light)
         to_rgb = constant(self.response(), light)
-        haze = constant_or_own(haze_total(BANDS, turbidity), light)
-        return (light * haze) @ to_rgb, (light * constant(gas_total(BANDS), light)) @ to_rgb
+        haze, gas = (constant(part, light) for part in air.scattering(BANDS))
+        return (light * haze) @ to_rgb, (light * gas) @ to_rgb
 
 
 def channels_asked(held: dict[str, Any]) -> tuple[Axis, ...]:

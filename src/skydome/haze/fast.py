@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import as_numpy
 from skydome.ground.compiled import shared
 from skydome.ground.directions import tangent_frame
@@ -40,9 +39,11 @@ class FastAir:
     tables: FastTables
 
     @classmethod
-    def of(cls, air: Coefficients, haze_scale: float, sky: LightTable, suns: list[Sources]) -> "FastAir":
+    def of(
+        cls, air: Coefficients, decays: tuple[float, float], haze_scale: float, sky: LightTable, suns: list[Sources]
+    ) -> "FastAir":
         """The tables of an air, its haze `haze_scale` times that of the sky's light and of the suns'."""
-        coefficients = np.concatenate([np.atleast_1d(as_numpy(part)) for part in air])
+        coefficients = np.concatenate([*(np.atleast_1d(as_numpy(part)) for part in air), decays])
         q, weights = gauss_legendre(8)
         scale = np.repeat([haze_scale, 1.0], 3)
         table = np.concatenate(sky.toward(octahedral_directions()), axis=-1) * scale
@@ -59,7 +60,7 @@ class FastAir:
 
     def densities(self, height: float) -> np.ndarray:
         """Density of haze and gas at the viewer's height, m, relative to the ground's, (2,) float32."""
-        return np.exp(-np.array([HAZE_DECAY, GAS_DECAY]) * height).astype(np.float32)
+        return np.exp(-self.tables.air[8:].astype(np.float64) * height).astype(np.float32)
 
     def at(self, distance: np.ndarray, direction: np.ndarray, height: float) -> tuple[np.ndarray, np.ndarray]:
         """Transmittance and in-scattered light, float32, each (..., 3)."""

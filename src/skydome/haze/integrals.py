@@ -37,24 +37,33 @@ class Coefficients(NamedTuple):
     gas_550: Array
 
 
+DECAYS = HAZE_DECAY, GAS_DECAY
+"""Preetham's decays of haze and gas with height, m-1."""
+
+
 class Ray(NamedTuple):
-    """A ray by its length, m, the cosine of its zenith angle, and the densities of haze and gas at the viewer."""
+    """A ray by its length, m, the cosine of its zenith angle, and the densities of haze and gas at the viewer.
+
+    Haze and gas thin out with height by their decays, m-1.
+    """
 
     distance: Array
     cosine: Array
     haze_density: Array
     gas_density: Array
+    haze_decay: Any = HAZE_DECAY
+    gas_decay: Any = GAS_DECAY
 
     @classmethod
-    def at(cls, distance: Array, cosine: Array, height: Array) -> "Ray":
+    def at(cls, distance: Array, cosine: Array, height: Array, decays: tuple[float, float] = DECAYS) -> "Ray":
         """The ray of a viewer `height` metres above the ground to which the coefficients belong."""
-        return cls(distance, cosine, *densities(height))
+        return cls(distance, cosine, *densities(height, decays), *decays)
 
 
-def densities(height: Array) -> tuple[Array, Array]:
+def densities(height: Array, decays: tuple[float, float] = DECAYS) -> tuple[Array, Array]:
     """Density of haze and gas at a height, m, relative to the ground's, each of its shape."""
     xp = namespace(height)
-    return xp.exp(-HAZE_DECAY * height), xp.exp(-GAS_DECAY * height)
+    return xp.exp(-decays[0] * height), xp.exp(-decays[1] * height)
 
 
 def checked_metres(value: Any, like: Array, name: str, low: float = LOWEST) -> Array:
@@ -86,7 +95,7 @@ def columns_of_air(ray: Ray, distance: Array) -> tuple[Array, Array, Array, Arra
     """Densities of haze and gas at `distance` along the ray, and the metres of ground air up to there, each (...)."""
     xp = namespace(distance, ray.cosine)
     found = []
-    for density, decay in ((ray.haze_density, HAZE_DECAY), (ray.gas_density, GAS_DECAY)):
+    for density, decay in ((ray.haze_density, ray.haze_decay), (ray.gas_density, ray.gas_decay)):
         z = decay * distance * ray.cosine
         z = at_least(z, DEEPEST if xp.finfo(z.dtype).bits > 32 else DEEPEST_SINGLE)
         found += [density * xp.exp(-z), density * distance * mean_fall(z)]
@@ -162,13 +171,13 @@ class FewNodes(Integration):
         xp = namespace(ray.distance, ray.cosine)
         share, strength = NODES[self.count]
         haze = air.haze_550 * ray.haze_density
-        growth = HAZE_DECAY * at_least(-ray.cosine, 0.0)
+        growth = ray.haze_decay * at_least(-ray.cosine, 0.0)
         z = growth * ray.distance
         z = xp.where(z < HIGHEST_GROWTH, z, xp.full_like(z, HIGHEST_GROWTH))
         grown = ray.distance * xp.exp(z) * mean_fall(z)
         opaque = OPAQUE / at_least(haze, 1e-30)
         reach = xp.where((growth > 0) & (grown > opaque), opaque, grown)
-        thinning = (share * HAZE_DECAY + (1 - share) * GAS_DECAY) * at_least(ray.cosine, 0.0)
+        thinning = (share * ray.haze_decay + (1 - share) * ray.gas_decay) * at_least(ray.cosine, 0.0)
         bend = strength * reach * (thinning + haze + air.gas_550 * ray.gas_density)
         return Stretch(reach, bend + 0.2 * growth * reach / (1 + growth * reach) ** 0.25, growth)
 

@@ -1,8 +1,8 @@
 # mypy: allow-untyped-defs
 """Aerial perspective of RGB images in float32: the second form of `FewNodes(8)`, tested against the first.
 
-`air` (8,): haze R G B, gas R G B, haze and gas at 550 nm, m-1. `nodes` (3, 8): q, 1 - q and weights. Everything else
-is a float32 number unless its shape is given.
+`air` (10,): haze R G B, gas R G B, haze and gas at 550 nm, decays with height of haze and gas, m-1.
+`nodes` (3, 8): q, 1 - q and weights. Everything else is a float32 number unless its shape is given.
 """
 
 import math
@@ -14,9 +14,8 @@ from skydome.ground.compiled import inlined as inlined_with
 from skydome.ground.elementary_kernel import HALF, ONE, ZERO, exponential, logarithm
 
 F = np.float32
-HAZE_DECAY, GAS_DECAY = F(0.8333e-3), F(0.1136e-3)
 OPAQUE, HIGHEST_GROWTH, DEEPEST, LARGEST = F(11.0), F(40.0), F(-80.0), F(3e38)
-SHARE_DECAY, STRENGTH = F(0.8333e-3), F(0.08)
+STRENGTH = F(0.08)
 LANES = 64
 """Rays that are computed side by side."""
 
@@ -37,7 +36,7 @@ def density_and_column(z, distance):
 @inlined
 def stretch(distance, cosine, haze_density, gas_density, air):
     """How a ray is stretched: reach, bend and growth of `FewNodes.stretch`. No branch."""
-    growth = max(-HAZE_DECAY * cosine, ZERO)
+    growth = max(-air[8] * cosine, ZERO)
     haze_550, gas_550 = air[6] * haze_density, air[7] * gas_density
     z = min(growth * distance, HIGHEST_GROWTH)
     longer = (exponential(z) - ONE) / max(z, F(1e-6))
@@ -45,7 +44,7 @@ def stretch(distance, cosine, haze_density, gas_density, air):
     grown = min(distance * (longer if z > F(0.05) else series), OPAQUE / max(haze_550, F(1e-30)))
     reach = grown if growth > ZERO else distance
     turns = growth * reach
-    bend = STRENGTH * reach * (SHARE_DECAY * max(cosine, ZERO) + haze_550 + gas_550)
+    bend = STRENGTH * reach * (air[8] * max(cosine, ZERO) + haze_550 + gas_550)
     return reach, bend + F(0.2) * turns / math.sqrt(math.sqrt(ONE + turns)), growth
 
 
@@ -59,8 +58,8 @@ def at_node(q, rest, weight, cosine, reach, bend, growth, haze_density, gas_dens
     series = y * (ONE - z * (HALF - z * (F(1 / 3) - z * F(0.25))))
     x = logarithm(ONE + z) / (growth if curved else ONE) if curved else series
     step = weight / (shrink * shrink * (ONE + z))
-    haze, haze_column = density_and_column(HAZE_DECAY * cosine * x, x)
-    gas, gas_column = density_and_column(GAS_DECAY * cosine * x, x)
+    haze, haze_column = density_and_column(air[8] * cosine * x, x)
+    gas, gas_column = density_and_column(air[9] * cosine * x, x)
     haze_column *= haze_density
     gas_column *= gas_density
     red = exponential(-(air[0] * haze_column + air[3] * gas_column))
@@ -70,10 +69,10 @@ def at_node(q, rest, weight, cosine, reach, bend, growth, haze_density, gas_dens
 
 
 @inlined
-def columns(distance, cosine, haze_density, gas_density):
+def columns(distance, cosine, haze_density, gas_density, air):
     """Metres of ground air, of haze and of gas, along the whole ray."""
-    _, haze = density_and_column(HAZE_DECAY * cosine * distance, distance)
-    _, gas = density_and_column(GAS_DECAY * cosine * distance, distance)
+    _, haze = density_and_column(air[8] * cosine * distance, distance)
+    _, gas = density_and_column(air[9] * cosine * distance, distance)
     return haze_density * haze, gas_density * gas
 
 
@@ -100,7 +99,7 @@ def along(distance, cosine, haze_density, gas_density, air, nodes):
         g1 += gas * green
         h2 += haze * blue
         g2 += gas * blue
-    haze_column, gas_column = columns(distance, cosine, haze_density, gas_density)
+    haze_column, gas_column = columns(distance, cosine, haze_density, gas_density, air)
     t0, f0 = scaling(air[0], air[3], haze_column, gas_column, h0, g0)
     t1, f1 = scaling(air[1], air[4], haze_column, gas_column, h1, g1)
     t2, f2 = scaling(air[2], air[5], haze_column, gas_column, h2, g2)
@@ -170,7 +169,7 @@ def many_along(rays, densities, air, nodes):
             rays[9 * LANES + i] += gas * green
             rays[10 * LANES + i] += gas * blue
     for i in range(LANES):
-        haze_column, gas_column = columns(rays[i], rays[LANES + i], haze_density, gas_density)
+        haze_column, gas_column = columns(rays[i], rays[LANES + i], haze_density, gas_density, air)
         for c in range(3):
             haze, gas = rays[(5 + c) * LANES + i], rays[(8 + c) * LANES + i]
             seen, factor = scaling(air[c], air[3 + c], haze_column, gas_column, haze, gas)

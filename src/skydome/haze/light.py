@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from skydome.air.phase_functions import haze as haze_phase
-from skydome.air.phase_functions import rayleigh as gas_phase
 from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.directions import azimuth, zenith_angle
 from skydome.ground.interpolation import catmull_rom_about
 from skydome.ground.quadrature import hemisphere
+from skydome.haze.ground_air import GroundAir
 
 RINGS, COLUMNS = 32, 64
 """Nodes of the sky's quadrature: zenith angles and azimuths."""
@@ -27,13 +26,14 @@ ZENITHS, AZIMUTHS = 37, 24
 class Sources:
     """Light by direction: where from (N, 3), and how much haze and gas scatter in all, m-1 times light, (N, C) each.
 
-    `wavelengths` (C,): at which haze's phase function is taken for each channel.
+    `wavelengths` (C,): at which the phase function of the `air`'s haze is taken for each channel.
     """
 
     directions: Array
     haze: Array
     gas: Array
     wavelengths: np.ndarray
+    air: GroundAir
 
     def toward(self, views: Array) -> tuple[Array, Array]:
         """S1 and S2 of a viewer who looks along `views` (..., 3), light per metre, each (..., C)."""
@@ -41,8 +41,8 @@ class Sources:
         sources, haze, gas = (constant_or_own(part, views) for part in (self.directions, self.haze, self.gas))
         cosines = views @ sources.T
         xp = namespace(views)
-        first = xp.sum(haze_phase(cosines, self.wavelengths) * haze, axis=-2)
-        return first, gas_phase(cosines) @ gas
+        first = xp.sum(self.air.haze_phase(cosines, self.wavelengths) * haze, axis=-2)
+        return first, self.air.gas_phase(cosines) @ gas
 
     def in_parts(self, views: np.ndarray, size: int = 128) -> tuple[np.ndarray, np.ndarray]:
         """The same for many views (D, 3), in NumPy, a few at a time to save memory."""

@@ -11,7 +11,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from skydome.air.scattering import GAS_DECAY, HAZE_DECAY
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.extras import required
 from skydome.ground.limits.ranges import Bounded, Range
@@ -40,10 +39,10 @@ class PublishedClosedForm(Integration):
     def integrals(self, ray: Ray, air: Coefficients) -> tuple[Array, Array]:
         """I1 and I2, m, each (..., C); infinite where the closed form overflows."""
         xp = namespace(ray.distance, ray.cosine)
-        level = (xp.abs(HAZE_DECAY * ray.distance * ray.cosine) < LEVEL)[..., None]
+        level = (xp.abs(ray.haze_decay * ray.distance * ray.cosine) < LEVEL)[..., None]
         safe = ray._replace(cosine=xp.where(level[..., 0], xp.ones_like(ray.cosine), ray.cosine))
-        haze = air.haze, HAZE_DECAY, ray.haze_density
-        gas = air.gas, GAS_DECAY, ray.gas_density
+        haze = air.haze, ray.haze_decay, ray.haze_density
+        gas = air.gas, ray.gas_decay, ray.gas_density
         with np.errstate(over="ignore", invalid="ignore"):
             pairs = [
                 (near_level(ray, air, own), hermite(safe, own, other)) for own, other in ((haze, gas), (gas, haze))

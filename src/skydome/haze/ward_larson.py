@@ -57,8 +57,9 @@ class WardLarson:
         xp = namespace(direction, distance)
         level = direction[..., 2] * 0
         kilometre = xp.zeros_like(level) + KILOMETRE
-        rays = xp.broadcast_arrays(kilometre, level, height)
-        depth = optical_depth(Ray.at(*rays), self.air.coefficients(direction))
+        length, level, above = xp.broadcast_arrays(kilometre, level, height)
+        ray = Ray.at(length, level, above, self.air.air.decays)
+        depth = optical_depth(ray, self.air.coefficients(direction))
         tau = xp.exp(-depth * (distance / KILOMETRE)[..., None])
         ambient = self.ambient
         return AerialPerspective(tau, (1 - tau) * (constant(ambient, tau) if is_numpy(ambient) else ambient))

@@ -223,7 +223,7 @@ def air_for(air: AirLight | WardLarson | None, height: float) -> tuple[int, np.n
 
     single, densities = np.float32, np.ones(2, np.float32)
     empty = FastTables(
-        np.ones(8, single), np.ones((3, 1), single), np.zeros((2, 2, 6), single), np.zeros((0, 3), single),
+        np.ones(10, single), np.ones((3, 1), single), np.zeros((2, 2, 6), single), np.zeros((0, 3), single),
         np.zeros((0, 2, 6), single),
     )  # fmt: skip
     if air is None:
@@ -240,7 +240,7 @@ def horizon_factors(air: AirLight, height: float) -> np.ndarray:
 
     Shape (TURNS + 2, 3); ones of shape (2, 3) where the air keeps its own limit.
     """
-    if not air.meets_horizon:
+    if not air.melts:
         return np.ones((2, 3))
     around = horizon_directions()
     views = np.concatenate([around, around[:1], [ZENITH]])

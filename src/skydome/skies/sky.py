@@ -77,8 +77,7 @@ class Sky(LabelledLight, Shown, ABC):
 
     def blanked(self, light: Array, directions: Array, channels: int = 1) -> Array:
         """`light` with 0 below the horizon and at night, and NaN outside validity where check is "nan"."""
-        xp = namespace(light, directions)
-        seen = self.seen(directions)
+        xp, seen = namespace(light, directions), self.seen(directions)
         allowed = (self.valid | ~self.is_day) if self.check == "nan" else None
         if channels:
             seen, allowed = seen[..., None], None if allowed is None else allowed[..., None]
@@ -120,6 +119,7 @@ class SunlitSky(Sky):
 
     sun: Array
     directions_held: ClassVar[tuple[str, ...]] = ("sun",)
+    far_air: ClassVar[Any] = None  # the `Atmosphere` that far things fade in, where the sky has one
 
     def __post_init__(self) -> None:
         super().__post_init__()

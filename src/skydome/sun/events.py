@@ -144,6 +144,7 @@ def days_of(days: Any) -> list[Any]:
 
 def calendar_date(day: Any) -> date:
     """A date from a date, a datetime (its own date), an ISO string or a datetime64; ValueError for others."""
+    day = day[()] if isinstance(day, np.ndarray) else day
     if isinstance(day, datetime):
         return day.date()
     if isinstance(day, date):

@@ -48,6 +48,7 @@ def terrain(
     import numpy as np
 
     from skydome.haze.aerial_perspective import AirLight
+    from skydome.haze.ground_air import own_air
     from skydome.land.picture import render_terrain
     from skydome.land.reading import read_elevation
     from skydome.land.texture import read_texture
@@ -63,8 +64,7 @@ def terrain(
     surface, laid = (
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
     )
-    known = any(part.sunlit is not None and part.sunlit.haze is not None for part in scene.whole.parts)
-    haze = options.turbidity or (None if known else 3.0)
+    haze = options.turbidity or 3.0 if own_air(scene.whole) is None else None
     grey = float(np.mean(surface, axis=tuple(range(np.ndim(surface) - 1))) @ np.asarray(SRGB.to_xyz[1]))
     air = None if no_air else AirLight(scene.whole, None, haze, grey, meets_horizon=not own_haze)
     with progress("rendering") as report:

@@ -15,8 +15,8 @@ from skydome.dome.integrals import discs_and_rest
 from skydome.ground.arrays import Array, constant, namespace
 from skydome.ground.interpolation import weights
 from skydome.ground.quadrature import hemisphere
+from skydome.skies.all_air.low_aerosol import same
 from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
-from skydome.skies.all_air.taught_air import same
 from skydome.skies.sky import Sky
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.suns.sun_disc import SunDisc

@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import fields
+from functools import cache
 from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
@@ -131,14 +132,27 @@ class Bounded:
             return
         for name, (kind, example) in self.kinds.items():
             require_kind(getattr(self, name), kind, name, example)
-        types = {item.name: item.type for item in fields(cast(Any, self))}
-        for name, interval in self.all_bounds().items():
+        for name, interval, needed in bounded_fields(cast(Any, type(self))):
             value = getattr(self, name)
-            if value is not None or types.get(name) in (float, int):
+            if value is not None or needed:
                 require(name, value, interval)
-        for item in fields(cast(Any, self)):
-            if item.type in ONE_NUMBER and item.name in self.all_bounds():
-                require_one(item.name, getattr(self, item.name), whole=item.type in ONE_NUMBER[2:])
+        for name, whole in lone_fields(cast(Any, type(self))):
+            require_one(name, getattr(self, name), whole)
+
+
+@cache
+def bounded_fields(kind: type[Bounded]) -> tuple[tuple[str, Range, bool], ...]:
+    """Of the bounded fields of a class their names, bounds, and whether they must be given."""
+    types = {item.name: item.type for item in fields(cast(Any, kind))}
+    return tuple((name, interval, types.get(name) in (float, int)) for name, interval in kind.all_bounds().items())
+
+
+@cache
+def lone_fields(kind: type[Bounded]) -> tuple[tuple[str, bool], ...]:
+    """Of the bounded fields of a class that hold one number alone their names, and whether it must be a whole one."""
+    known = kind.all_bounds()
+    lone = (item for item in fields(cast(Any, kind)) if item.type in ONE_NUMBER and item.name in known)
+    return tuple((item.name, item.type in ONE_NUMBER[2:]) for item in lone)
 
 
 class HeldBySky(Bounded):

@@ -3,6 +3,7 @@
 - sky                 The physical sky, from noon to the end of twilight
 - lit_air             An atmosphere at some wavelengths, whole or of some suns and airs
 - taught_air          The optical numbers that the rest depends on, and the ranges that were taught
+- low_aerosol         Low aerosols of any phase law as the one lobe that was taught, and what lies beyond it
 - heights             An observer above the ground: the air above, and what lies below as a ground
 - deep_ozone          Ozone deeper than was taught, in the ultraviolet
 - single_scattering   Light scattered once in round shells, in arrays of any library, with gradients

@@ -14,8 +14,8 @@ from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.ground.labels import like_labelled
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
+from skydome.skies.all_air.low_aerosol import same
 from skydome.skies.all_air.single_scattering import as_seen
-from skydome.skies.all_air.taught_air import same
 from skydome.skies.suns.atmosphere_sun import AtmosphereSun
 from skydome.skies.suns.sun_disc import limb_darkening, limb_mean
 

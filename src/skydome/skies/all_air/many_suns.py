@@ -68,7 +68,9 @@ def light_of_many(
     ending: SkyColours | SkySpectrum,
 ) -> np.ndarray:
     """What `ending` makes of light, some views of some suns at a time, in NumPy."""
-    airs = {f"air {k + 1}": depth.shape[:-1] for k, depth in enumerate(lit.depths) if depth.ndim > 1}
+    columns = () if lit.gases is None else (lit.gases.water, lit.gases.pressure)
+    many = [*(number.shape[:-1] for number in (*lit.depths, *lit.shares, *lit.numbers)), *map(np.shape, columns)]
+    airs = {f"air {k + 1}": one for k, one in enumerate(many) if one}
     shape = broadcast_shape(directions=views.shape[:-1], sun=sun.shape[:-1], **airs)
     found, once = np.zeros((*shape, ending.width)), chosen(int(np.prod(shape)))
     for block in by_kind(sun, shape, once is compiled):

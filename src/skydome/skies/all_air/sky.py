@@ -19,6 +19,7 @@ from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, in_arrays
 from skydome.skies.all_air.heights import seen_from
 from skydome.skies.all_air.lit_air import LitAir, is_one
+from skydome.skies.all_air.low_aerosol import FoldedLaw, lone, same
 from skydome.skies.all_air.many_suns import LOWEST_SUN, light_of_many
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
 from skydome.skies.all_air.polarised.light import in_blocks, stokes_shares
@@ -28,7 +29,7 @@ from skydome.skies.all_air.rest import Rest, cosine_of_turn
 from skydome.skies.all_air.rest_files import Networks, load_rest, shipped_rest
 from skydome.skies.all_air.single_scattering import as_seen, cosines
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
-from skydome.skies.all_air.taught_air import NUMBERS, clear_air, foreign, optics, require_earth, require_taught, same
+from skydome.skies.all_air.taught_air import NUMBERS, clear_air, foreign, optics, require_earth, require_taught
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.physical.sky_colours import SkyColours, SkySpectrum
@@ -192,8 +193,9 @@ class PhysicalSky(StokesSky):
 
     def shares(self, sun: Array, views: Array, lit: LitAir) -> Array:
         """Stokes I, Q and U over `radiance`, (..., W, 3)."""
-        rest, once = self.rest_of(self.plain_rest, sun, views, lit), self.once(lit, *cosines(sun, views))
-        light = stokes_shares(self.polarised, self.laws, rest, once, lit, sun, as_seen(self.tables, sun), views)
+        rest, seen = self.rest_of(self.plain_rest, sun, views, lit), as_seen(self.tables, sun)
+        orders = lit.orders(self.tables, cosines(sun, views), cosines(seen, views)[2], self.laws, in_arrays)
+        light = stokes_shares(self.polarised, self.laws, rest + orders.beyond, orders.once, lit, sun, seen, views)
         return safe_divide(light, light[..., :1]) if self.vector else light
 
     def in_blocks(self, views: Array, lit: LitAir, ending: SkyColours | SkySpectrum) -> Array:
@@ -204,27 +206,23 @@ class PhysicalSky(StokesSky):
         return ending.of_light(self.light(sun, views, lit), lit.gases, sun[..., 2], views[..., 2])
 
     @property
-    def laws(self) -> list[PhaseLaw]:
-        """The constituents' phase laws."""
-        return [part.phase_law for part in self.atmosphere.constituents]
+    def held_laws(self) -> list[PhaseLaw]:
+        """The constituents', and that of light scattered twice where the low aerosols are not one lobe."""
+        return self.laws if lone(self.atmosphere) else [*self.laws, FoldedLaw(self.atmosphere)]
 
     def light(self, sun: Array, views: Array, lit: LitAir, once: Once = in_arrays) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W)."""
         total, glow = self.rest_of(self.rest, sun, views, lit), cosines(as_seen(self.tables, sun), views)[2]
-        for law, strength in zip(self.laws, self.once(lit, *cosines(sun, views), once), strict=True):
+        orders = lit.orders(self.tables, cosines(sun, views), glow, self.laws, once)
+        for law, strength in zip(self.laws, orders.once, strict=True):
             total = total + strength * same(law.value(glow, lit.wavelengths), total)
-        return total
+        return total + orders.beyond
 
     def rest_of(self, rest: Rest, sun: Array, views: Array, lit: LitAir) -> Array:
         """What is scattered more than once, sr-1, (..., W)."""
         turn, height = cosine_of_turn(sun, views), sun[..., 2]
         light = rest.radiance(lit.numbers, height, lambda network: network.at(views[..., 2], turn))
         return light if lit.held is None else light * dimming(self.tables, height, lit.depths, lit.held, lit.shares)
-
-    def once(self, lit: LitAir, view: Array, height: Array, between: Array, once: Once = in_arrays) -> list[Array]:
-        """What each constituent scatters once toward the ground, per phase function, (..., W); cosines (...,)."""
-        tables = self.tables.single if between.dtype == np.float32 else self.tables
-        return [a * b for a, b in zip(once(tables, view, height, between, lit.depths), lit.shares, strict=True)]
 
     @cached_property
     def for_maps(self) -> Sky:
@@ -236,13 +234,15 @@ class PhysicalSky(StokesSky):
         sun = np.asarray(self.sun, dtype=np.float64)
         if sun.shape != (3,):
             raise ValueError(f"one sun of shape (3,) can be held at a time, got {sun.shape}")
-        nodes = node_cosines(sun, SMOOTHER if sun[2] > LOW_SUN else SMOOTH)
-        view, _, between = (part.astype(np.float32) for part in nodes)
-        turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
         lit, height = self.at(NODES).single(), np.float32(sun[2])
-        strengths = self.once(lit, view, height, between)
-        shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in zip(self.laws, strengths, strict=True)]
-        rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns))
+        terms = TERMS if lit.low else SMOOTHER if sun[2] > LOW_SUN else SMOOTH
+        view, _, between = (part.astype(np.float32) for part in node_cosines(sun, terms))
+        turns = np.cos(np.linspace(0, np.pi, TERMS + 1, dtype=np.float32))
+        glow = node_cosines(np.asarray(self.seen_sun), terms)[2] if lit.low else between
+        orders = lit.orders(self.tables, (view, height, between), glow, self.laws, in_arrays)
+        lights = zip(self.held_laws, [*orders.once, orders.twice], strict=False)
+        shapes = [mixture(law, NODES)[:, None, None, :] * one for law, one in lights]
+        rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns)) + orders.smooth
         colours = self.colours().at_heights(lit.gases, height, view[:, 0]) * np.float32(self.is_day)
         series = [series_of(fields @ colours) for fields in (np.concatenate(shapes), rest[None])]
         return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))

@@ -13,9 +13,7 @@ from skydome.air.gases.gases import STANDARD_WATER
 from skydome.air.named_airs import BACKGROUND_DEPTH
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range, inside
-
-HIGH = 10_000.0
-"""Mean height, m, from which an aerosol counts as stratospheric."""
+from skydome.skies.all_air.low_aerosol import LowAerosol, is_low, same
 
 TAUGHT = {
     "molecules": Range(0.0, 1.35),
@@ -100,7 +98,10 @@ def clear_air(
 
 
 def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
-    """The optical numbers of an atmosphere at wavelengths (W,) nm, as arrays (..., W) of the library of `like`."""
+    """The optical numbers of an atmosphere at wavelengths (W,) nm, as arrays (..., W) of the library of `like`.
+
+    Of aerosols that are not one lobe those of what does not go straight on (`low_aerosol`).
+    """
 
     def total(parts: list[Array]) -> Array:
         return sum(parts[1:], parts[0]) if parts else constant([0.0] * len(wavelengths), like)
@@ -110,22 +111,24 @@ def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
     scattered = [d * same(part.scattered(wavelengths), like) for d, part in zip(depth, low, strict=True)]
     forward = [s * same(part.phase_law.mean_cosine(wavelengths), like) for s, part in zip(scattered, low, strict=True)]
     aerosol, scattering = total(depth), total(scattered)
+    mean, lobes = ratio(total(forward), scattering, BARE["asymmetry"]), LowAerosol.of(air, wavelengths, like)
+    straight = 0.0 if lobes is None else lobes.straight
+    aerosol, scattering = aerosol - straight * scattering, scattering * (1 - straight)
     return Optics(
         total([same(part.depth(wavelengths), like) for part in molecules]),
         aerosol,
         total([same(part.depth(wavelengths), like) for part in high]),
         total([same(part.depth(wavelengths), like) for part in ozone]),
         ratio(scattering, aerosol, BARE["aerosol_albedo"]),
-        ratio(total(forward), scattering, BARE["asymmetry"]),
+        (mean - straight) / (1 - straight),
         same(at(air.albedo, wavelengths), like),
     )
 
 
 def kinds(air: Atmosphere) -> tuple[Sequence[Constituent], ...]:
     """An atmosphere's molecules, ozone, low and high aerosols."""
-    aerosols = [part for part in air.constituents if isinstance(part, Aerosol)]
-    high = [part for part in aerosols if part.profile.mean_height >= HIGH]
-    low = [part for part in aerosols if part.profile.mean_height < HIGH]
+    low = [part for part in air.constituents if is_low(part)]
+    high = [part for part in air.constituents if isinstance(part, Aerosol) and not is_low(part)]
     return (*([part for part in air.constituents if isinstance(part, kind)] for kind in (Molecules, Ozone)), low, high)
 
 
@@ -147,11 +150,6 @@ def ratio(upper: Array, lower: Array, otherwise: float) -> Array:
     """upper / lower, and `otherwise` where there is nothing."""
     xp = namespace(upper, lower)
     return xp.where(lower > 0, safe_divide(upper, lower), xp.full_like(lower, otherwise))
-
-
-def same(value: Any, like: Array) -> Array:
-    """An array of NumPy's as one of the library of `like`; others as they are."""
-    return constant(value, like) if is_numpy(value) else value
 
 
 def require_taught(numbers: Optics) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.skylight import skylight_share
+from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arrays import Array, at_least, constant, floating
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
@@ -20,6 +21,21 @@ class AtmosphereSky(SunlitSky, SpectralSky):
 
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
+
+    @property
+    def laws(self) -> list[PhaseLaw]:
+        """The constituents' phase laws."""
+        return [part.phase_law for part in self.atmosphere.constituents]
+
+    @property
+    def held_laws(self) -> list[PhaseLaw]:
+        """The phase laws whose light a table of this sky keeps apart."""
+        return self.laws
+
+    @property
+    def far_air(self) -> Atmosphere:
+        """The air itself."""
+        return self.atmosphere
 
     @property
     def albedo(self) -> Any:

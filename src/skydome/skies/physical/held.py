@@ -56,6 +56,11 @@ class HeldSky(SunlitSky, ColourSky):
         return self.sky.atmosphere
 
     @property
+    def far_air(self) -> Atmosphere:
+        """The air itself."""
+        return self.atmosphere
+
+    @property
     def albedo(self) -> Any:
         """The ground's."""
         return self.sky.albedo
@@ -110,15 +115,15 @@ class HeldSky(SunlitSky, ColourSky):
     @cached_property
     def fields(self) -> HeldFields:
         """The table made fine, for many directions."""
-        return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.atmosphere, c))
+        return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.sky.held_laws, c))
 
     @cached_property
     def rows(self) -> HeldRows:
         """The table for rows and columns."""
-        laws = [part.phase_law for part in self.atmosphere.constituents]
+        laws = self.sky.held_laws
         return HeldRows.of(float(zenith_angle(self.sun)), self.series, laws, [pivots(law) for law in laws])
 
-    @property
+    @cached_property
     def on_level(self) -> np.ndarray:
         """XYZ of the light on the horizontal, Y in lx, (3,)."""
         return self.rows.on_level()
@@ -127,7 +132,7 @@ class HeldSky(SunlitSky, ColourSky):
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
         cosine, relative, angle = geometry(views, np.asarray(self.sun))
         fields = interpolated(self.series, cosine, relative)
-        phases = shapes_of(self.atmosphere, angle)
+        phases = shapes_of(self.sky.held_laws, angle)
         light: np.ndarray = fields[:, -1] + np.einsum("kd,dkc->dc", phases, fields[:, :-1])
         return np.maximum(light, 0.0)
 
@@ -166,8 +171,10 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     w, views = SpectralSky.bands if bands is None else bands, node_directions(sun)
     whole = (sky.radiance(views, w) if light is None else light) / sky.sunlight(views, w)
     seen = np.asarray(sky.seen_sun, dtype=np.float64)
+    shapes = shapes_of(sky.held_laws, views @ seen)
     once = strengths(air, views, seen, w) * bool(sky.is_day)
-    rest = whole - np.einsum("kd,kdw->dw", shapes_of(air, views @ seen), once)
+    once = np.concatenate([once, np.zeros((len(shapes) - len(once), *once.shape[1:]))])
+    rest = whole - np.einsum("kd,kdw->dw", shapes, once)
     colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
     fields = colours.of_light(np.concatenate([once, rest[None]]), air.gases, sun[2], views[:, 2])
     return HeldSky(seen, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
@@ -182,10 +189,10 @@ def series_of(fields: np.ndarray) -> np.ndarray:
     return series
 
 
-def shapes_of(air: Atmosphere, cosine: np.ndarray) -> np.ndarray:
-    """Phase functions of the constituents, at `PIVOTS` where they change, at cosines (D,), sr-1, (shapes, D)."""
+def shapes_of(laws: list[PhaseLaw], cosine: np.ndarray) -> np.ndarray:
+    """Phase functions of some laws, at `PIVOTS` where they change, at cosines (D,), sr-1, (shapes, D)."""
     c = np.clip(cosine, -1.0, 1.0)
-    return np.concatenate([law.value(c, pivots(law)).T for law in (part.phase_law for part in air.constituents)])
+    return np.concatenate([law.value(c, pivots(law)).T for law in laws])
 
 
 def pivots(law: PhaseLaw) -> np.ndarray:

@@ -5,6 +5,7 @@ that is even in the half chord between view and sun.
 """
 
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.physical.cosine_series import LEAST_COSINE, position
 
 CHORDS = 4096
+TEXELS = 1 << 13
+"""That NumPy takes at a time."""
 CELLS = 48
 """Pieces of half the azimuths that are cubic to the kernel."""
 CUBIC = np.array([[0, 6, 0, 0], [-2, -3, 6, -1], [3, -6, 3, 0], [-1, 3, -3, 1]]) / 6
@@ -59,21 +62,13 @@ class HeldRows:
         waves = np.cos(turn[:, None] * np.arange(self.series.shape[1]))
         return np.asarray(np.einsum("nm,rm...->rn...", waves, risen))
 
-    def light(self, cosine: np.ndarray, turn: np.ndarray, away: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-        """`matrix` (3, 3) times XYZ, (R, N, 3), in the dtype of `away`.
-
-        Cosines of rows to the vertical (R,), of columns' azimuths from the sun (N,); 1 - cos of the angle to it (R, N).
-        """
-        nodes, weights = self.hats(cosine)
-        series = np.moveaxis(self.series @ matrix.T, 1, -1).reshape(len(self.series), -1)
-        risen = np.einsum("rk,rkf->rf", weights, series[nodes]).astype(away.dtype)
-        waves = np.cos(np.arange(self.series.shape[1])[:, None] * np.arccos(np.clip(turn, -1, 1))).astype(away.dtype)
-        fields = (risen.reshape(-1, len(waves)) @ waves).reshape(len(cosine), -1, 3, len(turn))
-        total: np.ndarray = fields[:, -1]
-        for k, phase in enumerate(self.phases(away)):
-            fields[:, k] *= phase[:, None]
-            total += fields[:, k]
-        return np.moveaxis(total, 1, -1)
+    def at_columns(self, turn: np.ndarray, matrix: np.ndarray, dtype: Any) -> "HeldColumns":
+        """The same on columns of cosines (N,) of the azimuth from the sun, `matrix` (3, 3) times XYZ, in a dtype."""
+        series = np.moveaxis(self.series @ matrix.T, 1, -1)  # (nodes, shapes + 1, 3, terms)
+        used = np.flatnonzero(series[:, :-1].any(axis=(0, 1, 2)))
+        once = series[:, :-1, :, : 1 + max(used, default=0)]
+        waves = np.cos(np.arange(series.shape[-1])[:, None] * np.arccos(np.clip(turn, -1, 1)))
+        return HeldColumns(self, *(np.ascontiguousarray(part, dtype) for part in (once, series[:, -1:], waves)))
 
     def phases(self, away: np.ndarray) -> list[np.ndarray]:
         """Phase functions of the shapes at 1 - cos of the angle to the sun (...,), sr-1, each (...,)."""
@@ -94,7 +89,7 @@ class HeldRows:
         near = 2 * np.sin((zenith - self.sun) / 2) ** 2
         away = near[:, None] + (np.sin(zenith) * np.sin(self.sun))[:, None] * (1 - turn)
         weight = w * np.pi / 2 * np.sin(zenith) * np.cos(zenith) * (2 * np.pi / COLUMNS)
-        light: np.ndarray = weight @ self.light(np.cos(zenith), turn, away, np.eye(3)).sum(axis=1)
+        light: np.ndarray = weight @ self.at_columns(turn, np.eye(3), float).light(np.cos(zenith), away).sum(axis=1)
         return light
 
     def pieces(self, matrix: np.ndarray) -> np.ndarray:
@@ -121,3 +116,44 @@ class HeldRows:
                 for n, (a, b, g) in enumerate(form.lobes):
                     lobes[k, n] = a, b, (1 - g) ** 2, 2 * g
         return plain, lobes, counts, np.ascontiguousarray(self.table, np.float32)
+
+
+class HeldColumns(NamedTuple):
+    """A held sky on columns of a map, ready for many rows.
+
+    Coefficients of the shapes' fields (nodes, shapes, 3, terms), as few terms as they have, and of the higher orders
+    (nodes, 1, 3, all terms); cosines (terms, N) of the columns' azimuths and their multiples.
+    """
+
+    rows: HeldRows
+    once: np.ndarray
+    rest: np.ndarray
+    waves: np.ndarray
+
+    def light(self, cosine: np.ndarray, away: np.ndarray) -> np.ndarray:
+        """Light (R, N, 3) in rows of cosines (R,) to the vertical, 1 - cos of the angle to the sun being (R, N)."""
+        nodes, weights = self.rows.hats(cosine)
+        hats = np.zeros((len(cosine), len(self.once)), self.waves.dtype)
+        np.put_along_axis(hats, nodes, weights.astype(hats.dtype), axis=1)
+        once, rest = (np.tensordot(hats, part, axes=1) for part in (self.once, self.rest))
+        step = max(1, TEXELS // away.shape[1])
+        found = np.empty((*away.shape, 3), away.dtype)
+        for start in range(0, len(away), step):
+            some = slice(start, start + step)
+            found[some] = self.some_rows(once[some], rest[some], away[some])
+        return found
+
+    def some_rows(self, once: np.ndarray, rest: np.ndarray, away: np.ndarray) -> np.ndarray:
+        """The same, of so few rows that they stay in the processor's cache, from their coefficients (R, ...)."""
+        total = self.fields(rest)[:, 0]
+        fields = self.fields(once)
+        for k, phase in enumerate(self.rows.phases(away)):
+            fields[:, k] *= phase[:, None]
+            total += fields[:, k]
+        return np.moveaxis(total, 1, -1)
+
+    def fields(self, risen: np.ndarray) -> np.ndarray:
+        """Fields (R, shapes, 3, N) of coefficients (R, shapes, 3, terms)."""
+        terms = risen.shape[-1]
+        fields: np.ndarray = (risen.reshape(-1, terms) @ self.waves[:terms]).reshape(*risen.shape[:-1], -1)
+        return fields

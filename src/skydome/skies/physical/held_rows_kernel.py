@@ -1,5 +1,5 @@
 # mypy: allow-untyped-defs
-"""Rows of a map of a held sky in float32, compiled: the fast form of `held_rows.HeldRows.light`.
+"""Rows of a map of a held sky in float32, compiled: the fast form of `held_rows.HeldColumns.light`.
 
 A row's fields are cubics in the azimuth, a few to a row; each run of columns in one of them is a plain loop.
 """

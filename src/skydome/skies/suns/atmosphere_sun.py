@@ -36,6 +36,11 @@ class AtmosphereSun(SunDisc):
     knows_energy: ClassVar[bool] = True
     source: ClassVar[str] = "the atmosphere's sunlight and depths; limb darkening of Hosek and Wilkie 2013"
 
+    @property
+    def far_air(self) -> Atmosphere:
+        """The atmosphere."""
+        return self.atmosphere
+
     def centre_radiance(self, wavelengths: Any) -> Array:
         """Radiance at the disc's centre, W m-2 sr-1 nm-1, shape (..., W)."""
         cosine = at_least(np.asarray(self.sun, dtype=np.float64)[..., 2], 0.0)

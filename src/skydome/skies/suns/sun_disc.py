@@ -131,7 +131,7 @@ class SunDisc(SunlitSky, SpectralSky):
             radius = radius_of(lit) if angular_radius is None else angular_radius
             gain = earth_sun_distance(time) ** -2 if time is not None and is_one(lit.sun_distance) else 1.0
             if isinstance(own := lit.own_disc(radius), cls) and turbidity is None:
-                return own if is_one(gain) else replace(own, direct_normal_illuminance=own.normal_xyz[..., 1] * gain)
+                return own if is_one(gain) else replace(own, direct_normal_illuminance=own.illuminance(own.sun) * gain)
             known, level = turbidity if lit.haze is None else lit.haze, lit.direct_normal_illuminance
             if known is not None or level is not None:
                 sun = lit.sun if is_numpy(level) or not is_numpy(lit.sun) else constant(lit.sun, level)
@@ -148,7 +148,7 @@ class SunDisc(SunlitSky, SpectralSky):
         >>> round(float(wide.illuminance(sun)), -2)
         83600.0
         """
-        return replace(self, angular_radius=angular_radius, direct_normal_illuminance=self.normal_xyz[..., 1])
+        return replace(self, angular_radius=angular_radius, direct_normal_illuminance=self.illuminance(self.sun))
 
     @property
     def haze(self) -> Any:

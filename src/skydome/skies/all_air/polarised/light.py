@@ -8,9 +8,9 @@ from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arrays import Array, is_numpy, namespace, safe_divide
 from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.lit_air import LitAir
+from skydome.skies.all_air.low_aerosol import same
 from skydome.skies.all_air.polarised.frame import SunFrame
 from skydome.skies.all_air.polarised.network import PolarisedRest
-from skydome.skies.all_air.taught_air import same
 
 BLOCK = 4096
 """Views at a time, of all suns together."""
