@@ -71,6 +71,8 @@ CALLS = {
     "Nishita93": {"sun": SUN, "atmosphere": AIR},
     "Nishita96": {"sun": SUN, "atmosphere": AIR},
     "held": {"sky": sd.Nishita93(SUN, AIR)},
+    "OvercastSky": {"sun": SUN},
+    "overcast_share": {"turbidity": 7.0},
     "blend": {"clear": HW, "overcast": sd.Daylight(sd.Uniform(1.0)), "fraction": 0.5},
     "luminance_series": {"sky": SKY, "directions": VIEWS},
     "clear_zenith_luminance": LIT,

@@ -109,11 +109,12 @@ from skydome.moon.position import moon_direction as moon_direction
 from skydome.moon.position import moon_distance as moon_distance
 from skydome.skies.all_air.sky import PhysicalSky as PhysicalSky
 from skydome.skies.all_air.taught_air import clear_air as clear_air
-from skydome.skies.blend import blend as blend
 from skydome.skies.captured import CapturedSky as CapturedSky
 from skydome.skies.cie import CIE as CIE
 from skydome.skies.cie import CIEClear as CIEClear
 from skydome.skies.cie import CIEIntermediate as CIEIntermediate
+from skydome.skies.clouds.blend import blend as blend
+from skydome.skies.clouds.blend import overcast_share as overcast_share
 from skydome.skies.clouds.fields.field import CloudField as CloudField
 from skydome.skies.clouds.fields.kinds import Altocumulus as Altocumulus
 from skydome.skies.clouds.fields.kinds import Cirrus as Cirrus
@@ -122,6 +123,7 @@ from skydome.skies.clouds.fields.kinds import Stratocumulus as Stratocumulus
 from skydome.skies.clouds.fields.reference import CloudTracing as CloudTracing
 from skydome.skies.clouds.fields.shadows import ShadowMap as ShadowMap
 from skydome.skies.clouds.fields.sky import CloudySky as CloudySky
+from skydome.skies.clouds.overcast import OvercastSky as OvercastSky
 from skydome.skies.colour_sky import ColourSky as ColourSky
 from skydome.skies.colour_sky import SpectralSky as SpectralSky
 from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance

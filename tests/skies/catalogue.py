@@ -26,6 +26,7 @@ def irradiances(sun, one):
 SKIES = {
     "uniform": lambda sun, one: sd.Uniform(one * 1000.0),
     "moon-spencer": lambda sun, one: sd.MoonSpencer(zenith_luminance=one * 9000.0),
+    "overcast": lambda sun, one: sd.OvercastSky(sun, one * 20.0, one * 0.3),
     "cie-1": lambda sun, one: sd.CIE(sun, 1, zenith_luminance=one * 9000.0),
     "cie-12": lambda sun, one: sd.CIE(sun, 12, illuminance=one * 12_000.0),
     "cie-15": lambda sun, one: sd.CIE(sun, 15, illuminance=one * 12_000.0),

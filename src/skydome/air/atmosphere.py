@@ -197,10 +197,29 @@ class Atmosphere(NamedAirs, HeldBySky):
         ]
         return np.asarray(sum(parts))
 
+    @property
+    def has_layers(self) -> bool:
+        """Whether the density of a constituent jumps, as at the edges of a cloud."""
+        return any(part.profile.edges for part in self.constituents)
+
+    def require_no_layers(self, who: str) -> None:
+        """ValueError where `who`, that knows smooth air alone, is given layers."""
+        if self.has_layers:
+            raise ValueError(f"{who} takes no layers such as a Cloud in its air; OvercastSky and DiscreteOrdinates do")
+
+    def nodes(self, edges: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
+        """Heights, m, that stand for the air, and the thickness of each: dense at the ground, or between edges."""
+        if not edges:
+            t, w = gauss_legendre(200)
+            return self.height * t**3, self.height * 3 * t * t * w
+        t, w = gauss_legendre(16)
+        cuts = np.unique(np.clip([0.0, *edges, self.height], 0.0, self.height))
+        steps = np.diff(cuts)[:, None]
+        return (cuts[:-1, None] + steps * t).ravel(), (steps * w).ravel()
+
     def slant_column(self, profile: Profile, cos_zenith: ArrayLike) -> np.ndarray:
         """Vertical columns of a profile on a straight ray from the ground to space, (...,)."""
-        t, w = gauss_legendre(200)
-        heights, steps = self.height * t**3, self.height * 3 * t * t * w
+        heights, steps = self.nodes(profile.edges)
         cosine = np.asarray(cos_zenith, dtype=np.float64)[..., None]
         sine_square = (1 - cosine**2) * (self.radius / (self.radius + heights)) ** 2
         paths = steps / np.sqrt(np.maximum(1 - sine_square, 1e-300))

@@ -111,6 +111,10 @@ class Tabulated(Profile):
         return np.maximum(result, 0.0)
 
 
+TOPMOST = (0.3, 0.1, 0.03, 0.01, 0.003, 0.001)
+"""Parts of a slab's thickness, from its top down, at which solvers cut it."""
+
+
 @dataclass(frozen=True)
 class Slab(Profile):
     """One density from a `base` to a `top`, m, nothing outside: a layer of cloud.
@@ -133,8 +137,8 @@ class Slab(Profile):
 
     @property
     def edges(self) -> tuple[float, ...]:
-        """Base and top."""
-        return self.base, self.top
+        """Base and top, and some below the top: the beam of a low sun ends within a cloud's first metres."""
+        return self.base, *(self.top - (self.top - self.base) * part for part in TOPMOST), self.top
 
     def density(self, heights: ArrayLike) -> Array:
         """One over the thickness, m-1."""

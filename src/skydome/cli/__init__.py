@@ -17,6 +17,7 @@
 - daylight_matrix   `skydome-mtx tape.wea > sky.mtx`: what `gendaymtx` prints, several times as fast, by NumPy alone
 - clouds/           Clouds by the options
 - commands/         One command a file
-- night/             What the commands say of the night
+- night/            What the commands say of the night
+- clouds/           What the commands ask of clouds
 - learning/         Commands that measure, simulate and learn, one a file
 """

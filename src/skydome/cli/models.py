@@ -17,7 +17,8 @@ LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
     "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
-    "tables", "until", "paths", "visibility", "aerosol", "ozone", "clouds", "cover", "cloud_seed",
+    "tables", "until", "paths", "visibility", "aerosol", "ozone", "clouds", "cover", "cloud_seed", "optical_depth",
+    "base", "kind",
 )  # fmt: skip
 
 
@@ -55,6 +56,8 @@ def refuse_what_it_does_not_take(model: "Model", options: SkyOptions) -> None:
     by_turbidity = model.shines or (model.level is not None and model.level.by_turbidity)
     if by_turbidity or options.direct_normal_irradiance is not None:
         allowed |= {"turbidity"}
+    if options.blend_overcast is not None:
+        allowed |= {"optical_depth"}
     for name in (*OPTIONAL, *LEVELS):
         if getattr(options, name) is not None and name not in allowed:
             raise ValueError(f"{model.name} takes no {option_name(name)}; `skydome models` tells what it takes")

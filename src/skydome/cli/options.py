@@ -11,6 +11,7 @@ from typing import Annotated, Any, get_type_hints
 
 from typer import Option
 
+from skydome.cli.clouds.layer_options import LayerOptions
 from skydome.cli.clouds.options import CloudOptions
 from skydome.cli.quantities import metres_from
 
@@ -58,7 +59,7 @@ ModelName = Annotated[
 
 
 @dataclass(frozen=True)
-class SkyOptions(CloudOptions, SunOptions):
+class SkyOptions(LayerOptions, CloudOptions, SunOptions):
     """A sky: the sun, the model and its parameters. None: not given."""
 
     model: ModelName = "physical"
@@ -76,7 +77,7 @@ class SkyOptions(CloudOptions, SunOptions):
     ] = None
     blend_overcast: Annotated[
         float | None,
-        Option(metavar="F", help="Mix in this fraction, 0-1, of Moon and Spencer's overcast.", rich_help_panel=AIR),
+        Option(metavar="F", help="Mix in this fraction, 0-1, of an overcast sky.", rich_help_panel=AIR),
     ] = None
     check: Annotated[
         str, Option(metavar="raise|clamp|nan", help="What to do outside a model's ranges.", rich_help_panel=AIR)
@@ -201,7 +202,10 @@ def option_name(parameter: str) -> str:
     >>> option_name("direct_normal_irradiance"), option_name("zenith_luminance")
     ('--dni', '--zenith-luminance')
     """
-    short = {"direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi", "cloud_seed": "seed"}
+    short = {
+        "direct_normal_irradiance": "dni", "diffuse_horizontal_irradiance": "dhi", "optical_depth": "cloud-depth",
+        "base": "cloud-base", "kind": "cloud-kind", "cloud_seed": "seed",
+    }  # fmt: skip
     if parameter not in SkyOptions.__dataclass_fields__:
         return f"--set {parameter}="
     return "--" + short.get(parameter, parameter).replace("_", "-")

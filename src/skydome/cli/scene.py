@@ -180,11 +180,24 @@ def of_size(disc: "SunDisc | None", width: float | None) -> "tuple[SunDisc | Non
 
 
 def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, str]":
-    """Moon and Spencer's sky of the usual level, in colour."""
+    """The sky under cloud: of the usual level, or of a --cloud-depth; Moon and Spencer's for a --chromaticity."""
     import skydome as sd
+    from skydome.skies.colour_sky import SpectralCombination
+    from skydome.skies.model import USUAL
 
-    level = float(sd.overcast_zenith_luminance(None if moment is None else moment.direction))
-    sky, _ = of_one_colour(sd.MoonSpencer(zenith_luminance=level), options)
+    direction = None if moment is None else moment.direction
+    level = float(sd.overcast_zenith_luminance(direction))
+    sky: ColourSky
+    if options.chromaticity is not None:
+        sky, _ = of_one_colour(sd.MoonSpencer(zenith_luminance=level), options)
+    else:
+        ground = USUAL["albedo"] if options.albedo is None else options.albedo
+        depth = sd.OvercastSky.optical_depth if options.optical_depth is None else options.optical_depth
+        whole = sd.OvercastSky(direction, depth, ground)
+        own = float(whole.luminance(sd.ZENITH))
+        as_usual = options.optical_depth is None and own > 0
+        level = level if as_usual else own
+        sky = SpectralCombination((whole,), (level / own if as_usual else 1.0,))
     share = f"{options.blend_overcast:g} of an overcast sky with {level:.0f} cd m-2 at the zenith"
     return sky, f"blend: {share}; the sun's disc is dimmed with the clear sky"
 

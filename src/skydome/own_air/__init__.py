@@ -7,4 +7,5 @@
 - bezier_fit     One air and wavelength under all suns: how far Bezier curves of A, B, E and H are off
 - preetham_fit   Preetham's form fitted to a family of skies: five letters linear in turbidity
 - all_air/       The physical sky taught anew: its solver, lessons and training
+- clouds/        The overcast sky taught anew: random layers of cloud, lessons and training
 """

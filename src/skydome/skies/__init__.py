@@ -1,7 +1,6 @@
 """The skies: one ladder, one file a model.
 - sky                The first rung of the ladder, skies whose luminance is known; sums of skies, such as sky and sun
 - colour_sky         The rungs above, skies whose colour is known, and their spectrum
-- blend              Skies between clear and overcast
 - validity           The parameters of a model: their ranges as data, what to do outside them, how they are told
 - labelled           Light with labels (pandas, xarray): where a sky's parameters or the directions have them
 - uniform            Skies without a sun: the uniform sky and Moon and Spencer's overcast sky
@@ -21,6 +20,6 @@
 - physical/          Skies from first principles, and what makes them quick
 - path_tracing/      The sky by brute force: paths of light through spherical shells of air
 - suns/              The sun's disc, by its published tables or through a given air
-- clouds/            Clouds: fields of cloud in three dimensions
+- clouds/            Clouds: layers over the whole sky, fields in three dimensions, and skies in between
 - night/             The light of the night: moon, stars, airglow, and all of it together
 """

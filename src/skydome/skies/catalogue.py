@@ -8,6 +8,8 @@ from difflib import get_close_matches
 
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
+from skydome.skies.clouds.model import OvercastModel
+from skydome.skies.clouds.overcast import OvercastSky
 from skydome.skies.formula.igawa import Igawa
 from skydome.skies.formula.level import CLEAR, MIDDLE, OVERCAST
 from skydome.skies.formula.older.asrc_cie import ASRCCIE
@@ -112,6 +114,7 @@ CATALOGUE: tuple[Model, ...] = (
     Model("brunger-hooper", BrungerHooper, ("diffuse_share", "clearness"), level=MIDDLE, failures=UP_TO_A_FACTOR),
     Model("harrison-coombes", HarrisonCoombes, ("cloud",), level=MIDDLE, failures=UP_TO_A_FACTOR),
     Model("pokrowski", Pokrowski, ("constant", "depth"), level=CLEAR, failures=UP_TO_A_FACTOR),
+    OvercastModel("overcast", OvercastSky),
     Model("moon-spencer", MoonSpencer, level=OVERCAST, shines=False),
     Model("uniform", Uniform, level=OVERCAST, shines=False),
     AirModel(

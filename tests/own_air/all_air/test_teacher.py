@@ -199,7 +199,7 @@ def test_one_command_trains_both_networks(lessons, tmp_path, monkeypatch, small)
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["simulate", "--for", "cloud"], "--for must be one of formula, physical, got 'cloud'"),
+        (["simulate", "--for", "cloud"], "--for must be one of formula, physical, overcast, got 'cloud'"),
         (["simulate", "grid.toml", "--for", "physical"], "--for physical draws its airs at random and takes no grid"),
         (["simulate"], "a grid must be named"),
     ],

@@ -1,8 +1,9 @@
 """Clouds at the command line.
 
-- options  What the commands ask for about clouds
-- kinds    The kinds of cloud by name
-- scene    The sky with clouds that the options ask for
+- options        What the commands ask for about fields of cloud
+- layer_options  What they ask of a layer over the whole sky, the model `overcast`
+- kinds          The kinds of cloud by name
+- scene          The sky with clouds that the options ask for
 
 `--clouds cumulus` with a cover, or with the light that was measured.
 """

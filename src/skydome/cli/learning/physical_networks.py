@@ -1,4 +1,4 @@
-"""The physical sky's lessons and networks made anew, for `skydome simulate --for physical` and `skydome train`."""
+"""Skies' lessons and networks made anew, for `skydome simulate --for physical` (or overcast) and `skydome train`."""
 
 import time
 from pathlib import Path
@@ -6,10 +6,10 @@ from typing import Any
 
 from skydome.cli.doors import progress
 
-PHYSICAL, POLARISATION = "physical", "polarisation"
-"""What the options call this sky, and its polarisation."""
+PHYSICAL, POLARISATION, OVERCAST = "physical", "polarisation", "overcast"
+"""What the options call the physical sky, its polarisation, and the sky under cloud."""
 BATCHES = 256
-"""Of 16 airs each, where nobody says."""
+"""Of 16 airs each, or 32 layers of cloud, where nobody says."""
 
 
 def make_physical_lessons(folder: Path, batches: int, seed: int) -> dict[str, Any]:
@@ -59,4 +59,33 @@ def train_polarised_network(output: Path, folder: Path, batches: int, seed: int)
         )
     facts = {"file": str(output), "bytes": output.stat().st_size, "folder": str(folder), "computed": made, "seed": seed}
     facts |= {f"rms_error_{name}": round(error, 5) for name, error in errors.items()}
+    return facts | {"processor_seconds": round(time.process_time() - start, 1)}
+
+
+def make_overcast_lessons(folder: Path, batches: int, seed: int) -> dict[str, Any]:
+    """Solves the batches of layers of cloud that are missing in a folder; the facts."""
+    from skydome.own_air.clouds import lessons
+
+    with progress("simulating") as report:
+        made = lessons.make_overcast_lessons(folder, batches, seed, report=report)
+    return {"folder": str(folder), "batches": batches, "computed": made, "seed": seed}
+
+
+def train_overcast_network(output: Path, folder: Path, batches: int, seed: int) -> dict[str, Any]:
+    """Trains the overcast sky's network on a folder of lessons, filled up first; the facts with the error."""
+    from skydome.own_air.all_air.training import require_torch
+    from skydome.own_air.clouds.training import OVERCAST as COURSE
+    from skydome.own_air.clouds.training import train_overcast
+
+    require_torch()
+    start, made, done = time.process_time(), make_overcast_lessons(folder, batches, seed), 0
+    with progress("training") as report:
+
+        def listen(loss: float) -> None:
+            nonlocal done
+            done = min(done + 100, COURSE.steps)
+            report(done, COURSE.steps, f"error {loss:.5f}")
+
+        error = train_overcast(folder, output, COURSE, seed, listen)
+    facts = {"file": str(output), "bytes": output.stat().st_size} | made | {"rms_error": round(error, 5)}
     return facts | {"processor_seconds": round(time.process_time() - start, 1)}

@@ -6,21 +6,29 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
-from skydome.cli.learning.physical_networks import BATCHES, PHYSICAL, make_physical_lessons
+from skydome.cli.learning.physical_networks import (
+    BATCHES,
+    OVERCAST,
+    PHYSICAL,
+    make_overcast_lessons,
+    make_physical_lessons,
+)
 from skydome.cli.options import AsJson
 from skydome.cli.printing import print_json, show_facts
 
 FORMULA = "formula"
 """What --for calls the grid that `skydome fit` reads."""
+LESSONS = {PHYSICAL: make_physical_lessons, OVERCAST: make_overcast_lessons}
+"""What makes the lessons that networks learn from, by what --for calls them."""
 
 
 def simulate(
     grid: Annotated[Path | None, Argument(help="grid.toml: turbidities, albedos, elevations, wavelengths, ...")] = None,
     output: Annotated[Path, Option("--output", "-o", help="The Zarr store or the lessons' folder.")] = Path("air.zarr"),
     purpose: Annotated[
-        str, Option("--for", metavar="MODEL", help="formula (a grid), or physical (random airs in round shells).")
+        str, Option("--for", metavar="MODEL", help="formula (a grid), physical or overcast (random airs, clouds).")
     ] = FORMULA,
-    batches: Annotated[int, Option(min=1, help="Of 16 random airs each, for the physical sky.")] = BATCHES,
+    batches: Annotated[int, Option(min=1, help="Of 16 random airs, or 32 clouds, each.")] = BATCHES,
     seed: Annotated[int, Option(min=0, help="Of the random airs.")] = 1,
     workers: Annotated[int, Option(min=0, help="Processes on this machine; 0: this one alone.")] = 0,
     scheduler: Annotated[
@@ -31,15 +39,15 @@ def simulate(
     """Simulate a grid of clear skies by discrete ordinates; a second run computes only what is missing.
 
     Radiance is in sr-1 for sunlight of irradiance 1. Interrupt it at will: finished pieces stay. With --for physical:
-    random airs under all suns, which `skydome train --model physical` learns from.
+    random airs under all suns, which `skydome train --model physical` learns from; overcast: random layers of cloud.
     """
-    if purpose == PHYSICAL:
+    if purpose in LESSONS:
         if grid is not None:
-            raise ValueError(f"--for physical draws its airs at random and takes no grid, got {grid}")
-        show_facts(make_physical_lessons(output, batches, seed), as_json)
+            raise ValueError(f"--for {purpose} draws its airs at random and takes no grid, got {grid}")
+        show_facts(LESSONS[purpose](output, batches, seed), as_json)
         return
     if purpose != FORMULA:
-        raise ValueError(f"--for must be one of {FORMULA}, {PHYSICAL}, got {purpose!r}")
+        raise ValueError(f"--for must be one of {FORMULA}, {', '.join(LESSONS)}, got {purpose!r}")
     if grid is None:
         raise ValueError("a grid must be named, such as grid.toml (an empty file: Hosek and Wilkie's whole grid)")
     from skydome.ground.files.leftovers import sweep

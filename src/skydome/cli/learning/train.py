@@ -11,8 +11,10 @@ from skydome.cli.doors import progress, require_output
 from skydome.cli.learning.animate import LAYOUTS
 from skydome.cli.learning.physical_networks import (
     BATCHES,
+    OVERCAST,
     PHYSICAL,
     POLARISATION,
+    train_overcast_network,
     train_physical_networks,
     train_polarised_network,
 )
@@ -33,7 +35,7 @@ def train(
         str,
         Option(
             metavar="LESSON",
-            help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral, physical, polarisation",
+            help="What is learned: preetham, hosek-wilkie, hosek-wilkie-spectral, physical, polarisation, overcast",
         ),
     ] = "hosek-wilkie",
     recipe: Annotated[
@@ -49,7 +51,7 @@ def train(
     lessons: Annotated[
         Path | None, Option(help="The physical sky's lessons, a folder that is filled up first. [FILE.lessons]")
     ] = None,
-    batches: Annotated[int, Option(min=1, help="Of 16 random airs each, for the physical sky.")] = BATCHES,
+    batches: Annotated[int, Option(min=1, help="Of 16 random airs, or 32 clouds, each.")] = BATCHES,
     small: Annotated[bool, Option("--small", help="The physical sky's networks in less than 30 kB.")] = False,
     captures: Annotated[
         Path | None,
@@ -77,9 +79,9 @@ def train(
     """Train a small network on a sky model, or on a day of captures; `NeuralSky.load` reads it.
 
     Interrupted, it leaves FILE.training.npz, from which --resume goes on to the same result. With --model physical:
-    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run; polarisation:
-    the same for its polarisation. Networks of models are measured on skies that they have not seen; those of captures
-    are with --validate.
+    lessons, where they are missing, and both networks of `PhysicalSky`; the lessons stay for a next run; polarisation
+    and overcast: the same for its polarisation, and for `OvercastSky`. Networks of models are measured on skies that
+    they have not seen; those of captures are with --validate.
     """
     if captures is not None or measured is not None:
         require_output(output, "the network's file", (".safetensors",))
@@ -89,13 +91,14 @@ def train(
         return
     if validate or folds is not None:
         raise ValueError("--validate leaves out whole captures: it goes with --captures or --measured")
-    if model in (PHYSICAL, POLARISATION):
+    if model in (PHYSICAL, POLARISATION, OVERCAST):
         require_output(output, "the network's file", (".safetensors",))
         folder = output.with_suffix(".lessons") if lessons is None else lessons
         if model == PHYSICAL:
             show_facts(train_physical_networks(output, folder, batches, seed, small), as_json)
         else:
-            show_facts(train_polarised_network(output, folder, batches, seed), as_json)
+            learn = train_polarised_network if model == POLARISATION else train_overcast_network
+            show_facts(learn(output, folder, batches, seed), as_json)
         return
     from skydome.training.lessons import teacher_named
     from skydome.training.recipes import recipe_named

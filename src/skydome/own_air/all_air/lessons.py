@@ -3,11 +3,12 @@
 A file appears whole or not at all, so that a run goes on where it was stopped, and several may work in one folder.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import TypeVar
+from typing import Self, TypeVar
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from skydome.ground.writing import appearing, require_place
 from skydome.own_air.all_air.airs import AIRS, batch
 from skydome.own_air.all_air.places import FINEST, SCALE, Places
 from skydome.own_air.all_air.solver import Solver
+from skydome.skies.all_air.rest import features
 from skydome.skies.all_air.taught_air import Optics
 from skydome.skies.physical.cosine_series import view_nodes
 
@@ -96,16 +98,30 @@ def random_suns(random: np.random.Generator) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class Lessons:
-    """Cases, air and sun: optical numbers (N,), the sun's sine (N,), rest and light scattered once (N, nodes), and
-    whether the air is held back (N,).
+class Cases(ABC):
+    """Cases, air and sun: the sun's sine (N,), rest and light scattered once (N, nodes), and whether the air is held
+    back (N,).
     """
 
-    air: Optics
     sines: np.ndarray
     rest: np.ndarray
     once: np.ndarray
     held: np.ndarray
+
+    @abstractmethod
+    def inputs(self) -> np.ndarray:
+        """What the network reads, (N, 1, F)."""
+
+    @abstractmethod
+    def chosen(self, which: np.ndarray) -> Self:
+        """Some of the cases."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lessons(Cases):
+    """Cases of clear air, its optical numbers (N,)."""
+
+    air: Optics
 
     @classmethod
     def load(cls, folder: str | PathLike[str], low: float = -18.0, high: float = 90.0) -> "Lessons":
@@ -117,12 +133,16 @@ class Lessons:
         parts = [cases(path, number, low, high) for number, path in enumerate(files)]
         numbers, sines, rest, once, held = (np.concatenate(part) for part in zip(*parts, strict=True))
         floor = 1e-3 * np.median(np.abs(rest), axis=1, keepdims=True)
-        return cls(Optics(*numbers.T), sines, np.maximum(rest, floor), once, held)
+        return cls(sines, np.maximum(rest, floor), once, held, Optics(*numbers.T))
 
-    def chosen(self, which: np.ndarray) -> "Lessons":
+    def chosen(self, which: np.ndarray) -> Self:
         """Some of the cases."""
         air = Optics(*(part[which] for part in self.air))
-        return Lessons(air, self.sines[which], self.rest[which], self.once[which], self.held[which])
+        return type(self)(self.sines[which], self.rest[which], self.once[which], self.held[which], air)
+
+    def inputs(self) -> np.ndarray:
+        """What the network reads, (N, 1, F)."""
+        return np.asarray(features(Optics(*(part[:, None] for part in self.air)), self.sines))
 
 
 def cases(path: Path, number: int, low: float, high: float) -> tuple[np.ndarray, ...]:

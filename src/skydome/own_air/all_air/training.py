@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from skydome.ground.extras import required
-from skydome.own_air.all_air.lessons import AZIMUTHS, VIEWS, Lessons
-from skydome.skies.all_air.rest import Rest, RestNetwork, cosine_series, features, place_of
+from skydome.own_air.all_air.lessons import AZIMUTHS, VIEWS, Cases, Lessons
+from skydome.skies.all_air.rest import Rest, RestNetwork, cosine_series, place_of
 from skydome.skies.all_air.rest_files import save_rest
 
 NODES = VIEWS * AZIMUTHS
@@ -63,17 +63,12 @@ def train_rest(
     return errors
 
 
-def rms_error(network: RestNetwork, lessons: Lessons) -> float:
+def rms_error(network: RestNetwork, lessons: Cases) -> float:
     """Of the whole radiance over all nodes of all cases; ValueError where no case is left."""
     if not len(lessons.sines):
         raise ValueError("no air is held back: make more lessons")
-    found = np.exp(network.coefficients(inputs(lessons), lessons.sines)[:, 0] @ whole(network.shapes))
+    found = np.exp(network.coefficients(lessons.inputs(), lessons.sines)[:, 0] @ whole(network.shapes))
     return float(np.sqrt(np.mean(((found - lessons.rest) / (lessons.rest + lessons.once)) ** 2)))
-
-
-def inputs(lessons: Lessons) -> np.ndarray:
-    """What the networks read, (N, 1, F)."""
-    return np.asarray(features(type(lessons.air)(*(part[:, None] for part in lessons.air)), lessons.sines))
 
 
 def azimuth_waves(terms: int) -> np.ndarray:
@@ -105,7 +100,7 @@ class Start:
     weight: np.ndarray
 
     @classmethod
-    def of(cls, lessons: Lessons, course: Course) -> "Start":
+    def of(cls, lessons: Cases, course: Course) -> "Start":
         """By least squares and singular values of log rest, weighted by the rest's share of the light."""
         low, high = (float(np.float16(place_of(np.sin(np.radians(edge))))) for edge in (course.low, course.high))
         mean = mean_coefficients(lessons.sines, (low, high), course.mean_shapes)
@@ -125,12 +120,12 @@ class Start:
 
 
 def taught(
-    lessons: Lessons, course: Course, seed: int = 0, report: Callable[[float], None] = lambda _: None
+    lessons: Cases, course: Course, seed: int = 0, report: Callable[[float], None] = lambda _: None
 ) -> RestNetwork:
     """The network of a course, trained on the lessons that are not held back."""
     torch = require_torch()
     lessons = lessons.chosen(~lessons.held)
-    random, read = np.random.default_rng(seed), inputs(lessons)[:, 0]
+    random, read = np.random.default_rng(seed), lessons.inputs()[:, 0]
     first = np.sort(random.choice(len(read), min(len(read), FIRST_CASES), replace=False))
     start = Start.of(lessons.chosen(first), course)
     middle, size = read.mean(axis=0), read.std(axis=0) + 1e-9
@@ -170,7 +165,7 @@ def learn_light(
     net: Any,
     given: Any,
     start: Start,
-    lessons: Lessons,
+    lessons: Cases,
     random: np.random.Generator,
     course: Course,
     report: Callable[[float], None],

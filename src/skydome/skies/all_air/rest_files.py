@@ -1,4 +1,4 @@
-"""The networks of the rest in a file: safetensors, float16; nothing is executed on reading."""
+"""Networks of a sky's rest in a file: safetensors, float16; nothing is executed on reading."""
 
 from enum import Enum
 from functools import cache
@@ -19,12 +19,17 @@ MOST_BYTES = 4 * 1024**2
 
 def load_rest(path: str | PathLike[str]) -> Rest:
     """The networks of a file; ValueError in one line for a file that is damaged or something else."""
+    return Rest(*load_networks(path, FORMAT, ("day", "twilight")))
+
+
+def load_networks(path: str | PathLike[str], form: str, names: tuple[str, ...]) -> list[RestNetwork]:
+    """The networks of such names in a file of a format."""
     about, stored = tensors_in(path, MOST_BYTES)
-    if about.get("format") != FORMAT:
+    if about.get("format") != form:
         raise ValueError(f"{Path(path).name} is not a file of the sky's rest: format {about.get('format')!r}")
     with decoding(path, "a file of the sky's rest"):
         tensors = {name: np.asarray(values, dtype=np.float64) for name, values in stored.items()}
-        return Rest(network_of(tensors, "day"), network_of(tensors, "twilight"))
+        return [network_of(tensors, name) for name in names]
 
 
 def network_of(tensors: dict[str, np.ndarray], name: str) -> RestNetwork:
@@ -45,16 +50,21 @@ def network_of(tensors: dict[str, np.ndarray], name: str) -> RestNetwork:
 
 def save_rest(path: str | PathLike[str], rest: Rest, provenance: str) -> None:
     """Write networks to a .safetensors file, whole or not at all, in float16, with how they were made as text."""
+    save_networks(path, FORMAT, {"day": rest.day, "twilight": rest.twilight}, provenance)
+
+
+def save_networks(path: str | PathLike[str], form: str, networks: dict[str, RestNetwork], provenance: str) -> None:
+    """Write networks by name to a file of a format."""
     from skydome.ground.writing import appearing
 
     tensors = {}
-    for name, network in (("day", rest.day), ("twilight", rest.twilight)):
+    for name, network in networks.items():
         tensors[f"{name}_shapes"], tensors[f"{name}_places"] = network.shapes, np.asarray(network.places)
         for k, (weights, biases) in enumerate(network.layers):
             tensors[f"{name}_weights_{k}"], tensors[f"{name}_biases_{k}"] = weights, biases
     stored = {key: np.ascontiguousarray(value, dtype=np.float16) for key, value in tensors.items()}
     with appearing(path) as beside:
-        beside.write_bytes(tensor_bytes(stored, {"format": FORMAT, "provenance": provenance}))
+        beside.write_bytes(tensor_bytes(stored, {"format": form, "provenance": provenance}))
 
 
 class Networks(Enum):

@@ -1,6 +1,11 @@
-"""Skies with clouds.
+"""Skies with clouds; heights in metres above the ground, extinction in inverse metres.
 
-- fields/  Fields of cloud in three dimensions before the clear sky: cumulus, stratocumulus, altocumulus, cirrus
-
-Heights in metres above the ground, extinction in inverse metres.
+- overcast        The overcast sky: an even layer of cloud over the whole sky, at formula speed
+- layer_optics    The optical numbers that its light depends on, and the ranges that were taught
+- layer_light     What the cloud scatters once, in closed form
+- held_overcast   Its colours in a table, for maps
+- overcast_files  Its network in a file
+- blend           Skies between clear and overcast
+- model           Rows of the catalogue
+- fields/         Fields of cloud in three dimensions before the clear sky: cumulus, stratocumulus, altocumulus, cirrus
 """

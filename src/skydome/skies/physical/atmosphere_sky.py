@@ -2,13 +2,14 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.skylight import skylight_share
 from skydome.air.phase_laws import PhaseLaw
+from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, at_least, constant, floating
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
@@ -21,6 +22,20 @@ class AtmosphereSky(SunlitSky, SpectralSky):
 
     atmosphere: Atmosphere = field(default_factory=Atmosphere.standard)
     kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
+    takes_layers: ClassVar[bool] = False
+    """Whether the air may have edges, as a layer of cloud has."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require_kind(self.atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
+        if not self.takes_layers:
+            self.atmosphere.require_no_layers(type(self).__name__)
+
+    def once_per_phase(self, views: np.ndarray, wavelengths: np.ndarray) -> Array | None:
+        """What each constituent scatters once toward views (D, 3), per phase function, for a sun of irradiance 1,
+        (K, D, W), where the sky knows it better than quadrature along the rays; None elsewhere.
+        """
+        return None
 
     @property
     def laws(self) -> list[PhaseLaw]:
@@ -75,3 +90,41 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         light = self.atmosphere.transmittance(at_least(cosine, 0.0), bands) * self.atmosphere.sun_at(bands)
         level = np.where(cosine > 0, (light @ xyz_weights(bands))[..., 1], 0.0)
         return float(level) if self.one_sun else level
+
+
+class OfAnAir(Protocol):
+    """What a held sky asks of the one whose colours it holds."""
+
+    @property
+    def atmosphere(self) -> Atmosphere:
+        """The air: its constituents' phase functions are put in at every direction."""
+
+    @property
+    def albedo(self) -> Any:
+        """The ground's."""
+
+    @property
+    def sun_distance(self) -> Any:
+        """As of every sky with a sun."""
+
+    @property
+    def direct_normal_illuminance(self) -> Any:
+        """As of every sky with a sun."""
+
+    @property
+    def held_laws(self) -> list[PhaseLaw]:
+        """The phase laws whose light the table keeps apart."""
+
+    @property
+    def valid(self) -> Array:
+        """As of every sky."""
+
+    @property
+    def is_day(self) -> Array:
+        """As of every sky."""
+
+    def parameters(self) -> dict[str, Any]:
+        """As of every sky."""
+
+    def own_disc(self, angular_radius: Any) -> SunlitSky | None:
+        """As of every sky with a sun."""

@@ -47,6 +47,7 @@ class DiscreteOrdinates(AtmosphereSky):
     bounds: ClassVar = {"streams": Range(4, 128)}
     source: ClassVar[str] = "Stamnes et al. 1988 (DISORT), C version, by nanodisort; TMS of Nakajima and Tanaka 1988"
     quick_to_see: ClassVar[bool] = False
+    takes_layers: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -67,6 +68,14 @@ class DiscreteOrdinates(AtmosphereSky):
                 views = np.broadcast_to(directions, (*shape, 3))[place]
                 light[place] = self.under_one_sun(suns[index], views, w)
         return np.asarray(self.blanked(light, directions)) * self.sunlight(directions, w)
+
+    def once_per_phase(self, views: np.ndarray, wavelengths: np.ndarray) -> Array | None:
+        """By the layers, where the air has edges between them."""
+        if not self.atmosphere.has_layers:
+            return None
+        cos_sun = max(float(np.asarray(self.sun)[2]), LEAST_COSINE)
+        layers = layered(self.atmosphere, wavelengths, usable_streams(cos_sun, self.streams))
+        return layers.strengths(np.maximum(views[:, 2], LEAST_COSINE), views @ np.asarray(self.sun), cos_sun)
 
     def under_one_sun(self, sun: np.ndarray, directions: np.ndarray, wavelengths: np.ndarray) -> Array:
         """Radiance for a sun of irradiance 1, sr-1, shape (..., W)."""
@@ -96,13 +105,16 @@ class Solution:
     """Coefficients (nodes, terms, W) of cos(m x relative azimuth)."""
 
     @classmethod
-    def of(cls, atmosphere: Atmosphere, cos_sun: float, wavelengths: np.ndarray, streams: int) -> "Solution":
-        """Solve for a sun whose zenith angle has the given cosine."""
+    def of(
+        cls, atmosphere: Atmosphere, cos_sun: float, wavelengths: np.ndarray, streams: int, accuracy: float = 0.0
+    ) -> "Solution":
+        """Solve for a sun whose zenith angle has the given cosine; `accuracy`: see `solved`."""
         streams = usable_streams(cos_sun, streams)
         layers = layered(atmosphere, wavelengths, streams)
         cosines = view_nodes(streams)
         azimuths = np.linspace(0, np.pi, streams + 1)
-        light = solved(layers, atmosphere.albedo_at(wavelengths), cos_sun, cosines, azimuths, streams)
+        ground = atmosphere.albedo_at(wavelengths)
+        light = solved(layers, ground, cos_sun, cosines, azimuths, streams, accuracy)
         mu, relative = (part.ravel() for part in np.meshgrid(cosines, azimuths, indexing="ij"))
         angle = mu * cos_sun + np.sqrt((1 - mu**2) * (1 - cos_sun**2)) * np.cos(relative)
         light -= layers.truncated_single(mu, angle, cos_sun).reshape(light.shape)
@@ -130,9 +142,18 @@ def usable_streams(cos_sun: float, streams: int) -> int:
 
 
 def solved(
-    layers: Layers, albedo: np.ndarray, cos_sun: float, cosines: np.ndarray, azimuths: np.ndarray, streams: int
+    layers: Layers,
+    albedo: np.ndarray,
+    cos_sun: float,
+    cosines: np.ndarray,
+    azimuths: np.ndarray,
+    streams: int,
+    accuracy: float,
 ) -> Array:
-    """CDISORT's light at the ground for a sun of irradiance 1, sr-1, shape (view angles, azimuths, W)."""
+    """CDISORT's light at the ground for a sun of irradiance 1, sr-1, shape (view angles, azimuths, W).
+
+    Terms of the azimuth after two that came to less than `accuracy` of the light are left out; 0: none is.
+    """
     nanodisort = required("nanodisort", "rt", "DiscreteOrdinates")
     light = np.empty((len(cosines), len(azimuths), layers.wavelengths.size))
     depth, share, moments = layers.scaled_depth, layers.scaled_share, layers.scaled_moments
@@ -143,6 +164,7 @@ def solved(
         state.usrtau = state.usrang = state.lamber = state.quiet = True
         state.intensity_correction = state.old_intensity_correction = True  # nothing is left to correct: no warning
         state.planck = state.onlyfl = False
+        state.accur = accuracy
         state.spher = True
         state.umu0, state.phi0, state.fbeam, state.albedo = cos_sun, 0.0, 1.0, float(albedo[w])
         state.allocate()

@@ -20,7 +20,7 @@ from skydome.ground.directions import checked_directions, direction, zenith_angl
 from skydome.ground.interpolation import weights
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.colour_sky import ColourSky, SpectralSky
-from skydome.skies.physical.atmosphere_sky import AtmosphereSky
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky, OfAnAir
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
 from skydome.skies.physical.held_rows import HeldRows
@@ -42,7 +42,7 @@ class HeldSky(SunlitSky, ColourSky):
     besides its own noise where it is path traced.
     """
 
-    sky: AtmosphereSky
+    sky: OfAnAir
     series: np.ndarray
     """Coefficients of cos(m x relative azimuth): (nodes, terms, shapes + 1, 3), the last of higher orders.
 
@@ -172,7 +172,7 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     whole = (sky.radiance(views, w) if light is None else light) / sky.sunlight(views, w)
     seen = np.asarray(sky.seen_sun, dtype=np.float64)
     shapes = shapes_of(sky.held_laws, views @ seen)
-    once = strengths(air, views, seen, w) * bool(sky.is_day)
+    once = strengths(sky, views, seen, w) * bool(sky.is_day)
     once = np.concatenate([once, np.zeros((len(shapes) - len(once), *once.shape[1:]))])
     rest = whole - np.einsum("kd,kdw->dw", shapes, once)
     colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
@@ -211,13 +211,16 @@ def mixture(law: PhaseLaw, wavelengths: np.ndarray) -> np.ndarray:
     return mixed
 
 
-def strengths(air: Atmosphere, views: np.ndarray, sun: np.ndarray, wavelengths: np.ndarray) -> Array:
+def strengths(sky: AtmosphereSky, views: np.ndarray, sun: np.ndarray, wavelengths: np.ndarray) -> Array:
     """What each constituent scatters once toward the ground along views (D, 3), per phase function, (shapes, D, W)."""
-    table = ColumnTable.of(air)
-    radius = np.full(len(views), air.radius)
-    path = rays(air, radius, np.maximum(views[:, 2], 0.0))
-    depths = np.stack([part.depth(wavelengths) for part in air.constituents])
-    scattering = depths * np.stack([part.scattered(wavelengths) for part in air.constituents])
-    found = np.moveaxis(lit_columns(table, path, radius, sun[2], views @ sun, depths) * scattering, 1, 0)
+    air = sky.atmosphere
+    found = sky.once_per_phase(views, wavelengths)
+    if found is None:
+        table = ColumnTable.of(air)
+        radius = np.full(len(views), air.radius)
+        path = rays(air, radius, np.maximum(views[:, 2], 0.0))
+        depths = np.stack([part.depth(wavelengths) for part in air.constituents])
+        scattering = depths * np.stack([part.scattered(wavelengths) for part in air.constituents])
+        found = np.moveaxis(lit_columns(table, path, radius, sun[2], views @ sun, depths) * scattering, 1, 0)
     laws = [part.phase_law for part in air.constituents]
     return np.concatenate([mixture(law, wavelengths)[:, None, :] * one for law, one in zip(laws, found, strict=True)])

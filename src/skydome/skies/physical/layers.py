@@ -64,17 +64,21 @@ class Layers:
 
     def single(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
         """Light scattered once by the true phase functions in round layers of scaled depth, sr-1, shape (D, W)."""
+        total = np.zeros((len(cosine), self.wavelengths.size))
+        parts = zip(self.atmosphere.constituents, self.strengths(cosine, angle, cos_sun), strict=True)
+        for part, strength in parts:
+            if strength.any():
+                total += part.phase_law.value(np.clip(angle, -1.0, 1.0), self.wavelengths) * strength
+        return total
+
+    def strengths(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
+        """The same of each constituent, per phase function, (K, D, W)."""
         share = self.scattered / (1 - self.scattered * self.peak)
         distance, lengths = through(self.radii, cosine)
         local = (self.radii[-1] * cos_sun + distance * angle[:, None]) / self.radii
         edges = (inward(lengths) + outward(self.radii, local)) @ self.scaled_depth
         paths = escaping(lengths[..., None] * self.scaled_depth, edges)
-        total = np.zeros((len(cosine), self.wavelengths.size))
-        for part, mix in zip(self.atmosphere.constituents, self.mix, strict=True):
-            if mix.any():
-                phase = part.phase_law.value(np.clip(angle, -1.0, 1.0), self.wavelengths)
-                total += phase * np.einsum("dlw,lw->dw", paths, share * mix)
-        return total
+        return np.einsum("dlw,klw->kdw", paths, share * self.mix)
 
     def truncated_single(self, cosine: np.ndarray, angle: np.ndarray, cos_sun: float) -> Array:
         """The same by the truncated phase functions and the flat views that the solver knows, sr-1, shape (D, W)."""

@@ -11,7 +11,8 @@ from skydome.light.colour_temperature import colour_temperature
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.model import Model
-from skydome.years.skies.clouds import cloud_share, overcast_light, overcast_xyz
+from skydome.years.skies.clouds import cloud_share
+from skydome.years.skies.overcast_light import WAVELENGTHS, overcast_spectra, overcast_xyz
 from skydome.years.skies.perez_year import PerezYear
 from skydome.years.skies.sun_spectra import continued, sun_spectra
 
@@ -86,7 +87,8 @@ def add_colour(data: "xarray.Dataset", sky: PerezYear, cut: Patches, colour: str
             clear_sky(colour, sky.suns[rows], air.haze[part], data.attrs["altitude"]).xyz(cut.directions)
         )
         blue, grey = split(luminance[rows], air.clouds[part])
-        xyz[rows] = clear * safe_divide(blue, clear[..., 1])[..., None] + grey[..., None] * overcast_xyz()
+        clouded = overcast_xyz(sky.suns[rows])[:, None]
+        xyz[rows] = clear * safe_divide(blue, clear[..., 1])[..., None] + grey[..., None] * clouded
     xyz[np.isnan(luminance)] = np.nan
     text = f"CIE 1931 XYZ, chromaticity of {colour} and of overcast light, luminance of Perez"
     data["xyz"] = (("time", "patch", "channel"), xyz, {"units": "cd m-2", "long_name": text})
@@ -116,16 +118,17 @@ def add_spectrum(
     radiance = np.zeros((*luminance.shape, w.size), np.float32)
     horizontal = np.zeros((len(luminance), EVERY.size))
     weights = xyz_weights(EVERY)[:, 1]
-    clouded_every, altitude = overcast_light().at(EVERY), data.attrs["altitude"]
+    altitude = data.attrs["altitude"]
     for part in pieces(sky, cut, 3 * EVERY.size + w.size):
         rows = sky.lit[part]
         clear = clear_sky(colour, sky.suns[rows], air.haze[part], altitude)
         gas: Any = clear_sky("physical", sky.suns[rows], air.haze[part], altitude)
-        clouded = continued(overcast_light(), gas.atmosphere, sky.suns[rows], altitude, w)[:, None]
+        clouded, clouded_every = (overcast_spectra(sky.suns[rows], waves) for waves in (w, EVERY))
+        clouded = continued(clouded, WAVELENGTHS[[0, -1]], gas.atmosphere, sky.suns[rows], altitude, w)
         every = visible_radiance(clear, cut)
         blue, grey = split(luminance[rows].astype(np.float64), air.clouds[part])
         factor = safe_divide(blue, every @ weights)[..., None]
-        radiance[rows] = np.asarray(clear.radiance(cut.directions, w)) * factor + grey[..., None] * clouded
+        radiance[rows] = np.asarray(clear.radiance(cut.directions, w)) * factor + grey[..., None] * clouded[:, None]
         horizontal[rows] = np.einsum("tpw,p->tw", every * factor, cut.horizontal_solid_angles)
         horizontal[rows] += (grey @ cut.horizontal_solid_angles)[:, None] * clouded_every
     radiance[np.isnan(luminance)] = np.nan

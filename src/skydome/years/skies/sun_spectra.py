@@ -9,7 +9,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.arrays import safe_divide
 from skydome.ground.directions import zenith_angle
-from skydome.light.spectrum import Spectrum, xyz_weights
+from skydome.light.spectrum import xyz_weights
 from skydome.sun.refraction import lift, standard_pressure
 
 VISIBLE = np.arange(380.0, 781.0, 10.0)
@@ -50,18 +50,16 @@ def seen_sine(suns: np.ndarray, altitude: float) -> np.ndarray:
 
 
 def continued(
-    spectrum: Spectrum, air: Atmosphere, suns: np.ndarray, altitude: float, wavelengths: np.ndarray
+    known: np.ndarray, ends: np.ndarray, air: Atmosphere, suns: np.ndarray, altitude: float, wavelengths: np.ndarray
 ) -> np.ndarray:
-    """The spectrum at `wavelengths` (W,), nm, (K, W): beyond its own ones with the shape of the sun's light, joined.
-
-    (1, W) where nothing is beyond.
+    """Spectra `known` at `wavelengths` (W,), nm, (K, W), held beyond two `ends`, nm: there with the shape of the sun's
+    light, joined.
     """
-    within = np.clip(wavelengths, spectrum.wavelengths[0], spectrum.wavelengths[-1])
-    known = spectrum.at(within)[None]
+    within = np.clip(wavelengths, *ends)
     if (within == wavelengths).all():
-        return np.asarray(known)
+        return known
     sine = seen_sine(suns, altitude)
-    ends = through(air, sine, spectrum.wavelengths[[0, -1]])
-    end = np.where(wavelengths > within, ends[:, 1:], ends[:, :1])
+    left = through(air, sine, ends)
+    end = np.where(wavelengths > within, left[:, 1:], left[:, :1])
     beyond = known * safe_divide(through(air, sine, wavelengths), end)
     return np.where(within == wavelengths, known, beyond)

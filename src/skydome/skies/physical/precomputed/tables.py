@@ -79,6 +79,7 @@ class ScatteringTables:
         require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
         require_kind(sizes, Sizes | None, "sizes", "Sizes()")
         require("lowest_sun", lowest_sun, SUNS)
+        atmosphere.require_no_layers("ScatteringTables")
         require("orders", orders, ORDERS)
         w, chosen = checked_wavelengths(wavelengths), sizes or Sizes()
         steps = Orders(shell_of(atmosphere, lowest_sun), chosen, medium(atmosphere, w, chosen, lowest_sun))

@@ -1,0 +1,28 @@
+"""The network of the overcast sky in a file: safetensors, float16."""
+
+from functools import cache
+from importlib.resources import as_file
+from os import PathLike
+
+from skydome.ground.data import DATA
+from skydome.skies.all_air.rest import RestNetwork
+from skydome.skies.all_air.rest_files import load_networks, save_networks
+
+FORMAT, NAME = "skydome overcast 1", "overcast"
+
+
+def load_overcast(path: str | PathLike[str]) -> RestNetwork:
+    """The network of a file; ValueError in one line for a file that is damaged or something else."""
+    return load_networks(path, FORMAT, (NAME,))[0]
+
+
+def save_overcast(path: str | PathLike[str], network: RestNetwork, provenance: str) -> None:
+    """Write a network to a .safetensors file, whole or not at all, with how it was made as text."""
+    save_networks(path, FORMAT, {NAME: network}, provenance)
+
+
+@cache
+def shipped_overcast() -> RestNetwork:
+    """The network that the package carries."""
+    with as_file(DATA / "overcast_sky.safetensors") as path:
+        return load_overcast(path)
