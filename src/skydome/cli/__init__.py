@@ -18,6 +18,5 @@
 - clouds/           Clouds by the options
 - commands/         One command a file
 - night/            What the commands say of the night
-- clouds/           What the commands ask of clouds
 - learning/         Commands that measure, simulate and learn, one a file
 """
