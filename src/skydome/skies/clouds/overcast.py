@@ -19,9 +19,9 @@ from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import SHARE, Range, require
 from skydome.light.spectrum import Spectrum, checked_wavelengths, xyz_weights
 from skydome.skies.all_air.blocks import blocks, part_of
+from skydome.skies.all_air.low_aerosol import same
 from skydome.skies.all_air.rest import RestNetwork, cosine_of_turn, mixed
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
-from skydome.skies.all_air.taught_air import same
 from skydome.skies.clouds.held_overcast import held_overcast
 from skydome.skies.clouds.layer_light import beam, once
 from skydome.skies.clouds.layer_optics import DARK, TAUGHT, LayerOptics, features, layer_optics, require_taught
