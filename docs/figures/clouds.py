@@ -39,7 +39,8 @@ def page(rows: list[list[tuple[str, Image.Image]]], name: str) -> None:
         for i, (text, image) in enumerate(row):
             whole.paste(image, (i * WIDE, j * (HIGH + LINE) + LINE))
             write(draw, (i * WIDE + 4, j * (HIGH + LINE) + LINE // 2), text, size=11, anchor="lm")
-    keep(whole.quantize(128), name)
+    palette = whole.quantize(256, kmeans=1)
+    keep(whole.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG), name)  # no bands in the sky
 
 
 def kinds() -> None:
