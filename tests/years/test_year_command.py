@@ -110,6 +110,9 @@ def test_a_wrong_sign_is_noted(files, tmp_path):
 def test_many_sites_with_a_bad_row(files, tmp_path):
     (tmp_path / "sites.csv").write_text("name,file\none,site.wea\nlost,lost.wea\n")
     words = (tmp_path / "sites.csv", "--weather-folder", files["wea"].parent, "-o", tmp_path / "all.zarr", "--json")
+    coloured = skydome(*words, "--colour", "physical")
+    assert (coloured.returncode, coloured.stdout) == (2, "")
+    assert "--colour changes nothing for a table of sites" in coloured.stderr
     answer = skydome(*words, "--workers", 1)
     facts = json.loads(answer.stdout)
     assert facts["done"] == 1

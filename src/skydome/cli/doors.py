@@ -2,12 +2,12 @@
 
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Event, Thread
-from typing import Protocol
+from typing import Any, Protocol
 
 from skydome.cli.endings import complain
 
@@ -17,8 +17,10 @@ EVERY = 10.0  # s between lines where stderr is no terminal
 LISTEN, PATIENCE = 0.2, 2.0  # s between looks at the compiler, and after which it is told of
 
 
-def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) -> None:
+def require_output(path: Path | None, what: str, endings: Sequence[str] = (), read: Path | None = None) -> None:
     """ValueError or OSError, before any work, for a file that could not be written in the end. None: none is asked for.
+
+    Nor may it be the file that is `read`, which would be lost.
 
     >>> require_output(Path("sky.jpg"), "a map's file", (".exr", ".hdr"))
     Traceback (most recent call last):
@@ -32,8 +34,22 @@ def require_output(path: Path | None, what: str, endings: Sequence[str] = ()) ->
     if endings and path.suffix.lower() not in endings:
         allowed = " or ".join(filter(None, (", ".join(endings[:-1]), endings[-1])))
         raise ValueError(f"{what} must end in {allowed}, got {path.name!r}")
+    if read is not None and path.exists() and read.exists() and path.samefile(read):
+        raise ValueError(f"{what} must be another file than the one that is read, got {str(path)!r}")
     require_place(path, folder=path.suffix.lower() == STORE)
     sweep(path)
+
+
+def refuse_idle(given: Mapping[str, Any], plain: Mapping[str, Any], why: str) -> None:
+    """ValueError for options that were given and would change nothing; `plain` has their defaults.
+
+    >>> refuse_idle({"at": "1,2", "walls": 0.3}, {"at": "0,0", "walls": 0.3}, "without --canyon")
+    Traceback (most recent call last):
+    ValueError: --at changes nothing without --canyon
+    """
+    for name, value in given.items():
+        if value != plain[name]:
+            raise ValueError(f"--{name.replace('_', '-')} changes nothing {why}")
 
 
 def require_picture(path: Path | None, exposure: float | None) -> None:

@@ -56,7 +56,7 @@ class Commands(TyperGroup):
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None and not {"-h", "--help"}.isdisjoint(rest):
             for option in command.params:
-                if option.name == "target":
+                if option.name == "target" and isinstance(option.default, str):  # lx elsewhere
                     vars(option)["help"] = target_help()
         return name, command, rest
 

@@ -47,12 +47,17 @@ def test_radiances_coefficients_and_our_triangles_say_the_same(month, office, of
 def test_what_cannot_be_is_told_in_one_line(month, office, tmp_path):
     bad = tmp_path / "bad.pts"
     bad.write_text("0 0 0\n")
+    skies = tmp_path / "skies.mtx"
+    skies.write_text("#?RADIANCE\nNROWS=2\nNCOLS=3\nNCOMP=1\nFORMAT=ascii\n\n1 2 3\n4 5 6\n")
     for arguments, text in (
         ((), "give either"),
         (("--coefficients", office / "total.mtx", "--direct", office / "direct.mtx"), "go together"),
         (("--mesh", "room.obj"), "needs --points"),
         (("--mesh", "room.obj", "--points", bad), "bad.pts, line 1"),
         (("--coefficients", month), "begins with #?"),
+        (("--coefficients", skies), "skies.mtx: coefficients must have 144 n^2 + 2 columns"),
+        (("--coefficients", office / "total.mtx", "--points", bad), "--points changes nothing without --mesh"),
+        (("--mesh", "room.obj", "--points", bad, "--suns", skies), "--suns changes nothing without --coefficients"),
         (("--coefficients", office / "total.mtx", "--hours", "18,8"), "working hours must lie"),
         (("--coefficients", office / "total.mtx", "-o", tmp_path / "x.txt"), "-o must end in"),
     ):

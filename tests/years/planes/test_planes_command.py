@@ -56,20 +56,35 @@ def test_a_street_and_a_mesh_stand_around(week, tmp_path):
 
 
 def test_what_cannot_be_is_told_in_one_line(week, tmp_path):
+    sites = tmp_path / "sites.csv"
+    sites.write_text("name,file\nhere,week.wea\n")
     for arguments, text in (
         (("--plane", "0,180", "--plane", "30,180"), "need --weather"),
-        (("--weather", week, "--plane", "200,0"), "tilt of a plane"),
+        (("--weather", week, "--plane", "200,0"), "tilt of --plane must lie in [0, 180] degrees, got 200"),
         (("--weather", week, "--time", "2026-06-21T12:00Z"), "--time is for one moment"),
         (("--weather", week, "--transposition", "klucher"), "transposition must be one of"),
         (("--weather", week, "--canyon", "10,12"), "--canyon must be 3 numbers"),
         (("--weather", week, "--mesh", "x.obj"), "needs --point"),
         (("--weather", tmp_path / "none.epw"), "none.epw"),
+        (("--weather", week, "--at", "1,2"), "--at changes nothing without --canyon"),
+        (("--weather", week, "--point", "1,2,3"), "--point changes nothing without --mesh"),
+        (("--weather", week, "--target", "300"), "--target changes nothing without a table of sites"),
+        (("--weather", week, "--light", "rgb"), "--light changes nothing of a year"),
+        (("--weather", sites, "--shift", "30", "-o", tmp_path / "planes.nc"), "--shift changes nothing for a table"),
+        (("--weather", sites, "-o", sites), "another file than the one that is read"),
         (("--weather", week, "-o", tmp_path / "planes.txt"), "-o must end in"),
     ):
         result = call(*arguments)
         assert result.exit_code == 2, arguments
         assert text in result.stderr
         assert len(result.stderr.splitlines()) == 1
+
+
+def test_help_tells_of_this_commands_target():
+    ours = call("--help").stdout
+    assert "autonomies" in ours
+    assert "mirror-ball" not in ours
+    assert "mirror-ball" in CliRunner().invoke(app, ["render", "--help"]).stdout
 
 
 def test_a_year_goes_into_netcdf(week, tmp_path):

@@ -113,6 +113,18 @@ def test_the_command_reports_draws_and_repairs(broken, tmp_path):
     assert "keeps the stamps" in shifted.stderr
 
 
+def test_the_command_keeps_the_file_it_reads_and_uses_each_option(broken):
+    before = broken.read_bytes()
+    for words, text in (
+        (["--repair", str(broken)], "--repair must be another file than the one that is read"),
+        (["--seed", "4"], "--seed changes nothing without --downscale"),
+    ):
+        result = CliRunner().invoke(app, ["weather", str(broken), *words])
+        assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1)
+        assert text in result.stderr
+    assert broken.read_bytes() == before
+
+
 def test_the_table_of_a_repair_is_read_back(broken, tmp_path):
     path = tmp_path / "table.csv"
     weather = read_weather(broken)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.commands.year import minutes
-from skydome.cli.doors import progress, require_output
+from skydome.cli.doors import progress, refuse_idle, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
 from skydome.ground.extras import required
@@ -37,10 +37,18 @@ def daylight(
 
     if (coefficients is None) == (mesh is None):
         raise ValueError("give either --coefficients total.mtx or --mesh room.obj --points desks.pts")
+    if mesh is None:
+        of_mesh = {"points": points, "reflectance": reflectance, "transmittance": transmittance}
+        refuse_idle(of_mesh, {"points": None, "reflectance": 0.5, "transmittance": 1.0}, "without --mesh")
+    else:
+        refuse_idle({"direct": direct, "suns": suns}, {"direct": None, "suns": None}, "without --coefficients")
     if not 0 < transmittance <= 1 or not 0 <= ground <= 1 or not target > 0:
-        raise ValueError("--transmittance must lie in (0, 1], --ground in [0, 1], --target above 0")
+        raise ValueError(
+            "--transmittance must lie in (0, 1], --ground in [0, 1], --target above 0, "
+            f"got {transmittance:g}, {ground:g} and {target:g}"
+        )
     first, last = numbers(hours, 2, "--hours", "8,18")
-    require_output(output, "-o", (".csv",))
+    require_output(output, "-o", (".csv",), weather)
     required("xarray", "year", "a year of daylight")
     moved: Any = minutes(shift)
     with warnings.catch_warnings(record=True) as caught, progress("a year of daylight"):

@@ -6,10 +6,10 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.planes_of_year import YearOptions, year_on_planes, year_rows
-from skydome.cli.doors import progress
+from skydome.cli.commands.planes_of_year import YearOptions, tilt_and_azimuth, year_on_planes, year_rows
+from skydome.cli.doors import progress, refuse_idle
 from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
-from skydome.cli.options import AsJson, SkyOptions, numbers, taking
+from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
 
@@ -31,6 +31,7 @@ InColour = Annotated[
     Option("--light", metavar="xyz|rgb|NM,NM", help="Tell the light in colour too, or at these wavelengths, nm."),
 ]
 Bands = Annotated[int, Option(help="Bands to cut the sky into, at least; more are laid where the horizon asks.")]
+LEAST_BANDS = 64
 
 
 @taking(SkyOptions, YearOptions)
@@ -40,13 +41,14 @@ def illuminance(
     plane: Planes = None,
     horizon: Profile = None,
     ground: Ground = None,
-    bands: Bands = 64,
+    bands: Bands = LEAST_BANDS,
     light: InColour = None,
     as_json: AsJson = False,
 ) -> None:
     """Print the illuminance on a plane: from sky, sun and ground; or that of a year on planes."""
     planes = plane or ["0,180"]
     if of_year.weather is not None:
+        refuse_idle({"bands": bands, "light": light}, {"bands": LEAST_BANDS, "light": None}, "of a year of --weather")
         facts = year_on_planes(options, of_year, planes, horizon, ground_of(ground, options))
         show(facts, year_rows(facts), as_json)
         if facts.get("failed"):
@@ -88,16 +90,14 @@ class Asked:
         from skydome.surroundings.horizon import Horizon
         from skydome.surroundings.intervals import Open
 
-        tilt, azimuth = numbers(plane, 2, "--plane", "30,180 (tilt,azimuth in degrees)")
-        if not 0 <= tilt <= 180:
-            raise ValueError(f"the tilt of --plane must lie in [0, 180] degrees, got {tilt:g}")
+        tilt, azimuth = tilt_and_azimuth(plane)
         if not 1 <= bands <= 4096:
             raise ValueError(f"--bands must lie in [1, 4096], got {bands}")
         albedo = ground_of(ground, options)
         around = Open() if profile is None else Horizon.read(profile)
         name = None if profile is None else str(profile)
         kind = None if light is None else InKind.of(light)
-        return cls(tilt, azimuth % 360, around, name, albedo, bands, kind)
+        return cls(tilt, azimuth, around, name, albedo, bands, kind)
 
     @property
     def normal(self) -> Any:

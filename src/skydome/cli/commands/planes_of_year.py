@@ -1,7 +1,7 @@
 """`skydome illuminance --weather`: the light on planes through a year."""
 
 import warnings
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -9,7 +9,7 @@ from typer import Option
 
 from skydome.cli.commands.planes_of_sites import many_sites
 from skydome.cli.commands.year import is_sites, minutes
-from skydome.cli.doors import progress, require_output
+from skydome.cli.doors import progress, refuse_idle, require_output
 from skydome.cli.options import SkyOptions, numbers
 from skydome.cli.printing import fact_rows
 from skydome.ground.extras import required
@@ -90,12 +90,12 @@ def year_on_planes(
     from skydome.years.weather.reading import read_weather
 
     refuse_a_moment(options)
-    require_output(asked.output, "-o", tuple(ENDINGS))
+    require_output(asked.output, "-o", tuple(ENDINGS), asked.weather)
     required("xarray", "year", "a year on planes")
     if asked.output is not None:
         required(ENDINGS[asked.output.suffix.lower()], "year", f"a year as {asked.output.suffix}")
     known = planes_of(asked, planes, horizon, ground)
-    if asked.weather is not None and asked.weather.suffix.lower() == ".csv" and is_sites(asked.weather):
+    if refuse_other_kinds(asked, options):
         return many_sites(asked, known, ground)
     shift: Any = minutes(asked.shift)
     place = None if options.place is None else sd.Place.parse(options.place)
@@ -121,6 +121,33 @@ def refuse_a_moment(options: SkyOptions) -> None:
             raise ValueError(f"--{name} is for one moment's sky; a year takes its skies from --weather")
 
 
+def refuse_other_kinds(asked: YearOptions, options: SkyOptions) -> bool:
+    """True for a table of sites; ValueError for options of a street, a mesh or such a table where there is none."""
+    sites = asked.weather is not None and is_sites(asked.weather)
+    given, plain = asdict(asked) | {"place": options.place}, asdict(YearOptions()) | {"place": None}
+    kinds = {
+        "without --canyon": (asked.canyon is None, ("at", "walls")),
+        "without --mesh": (asked.mesh is None, ("point", "reflectance")),
+        "without a table of sites": (not sites, ("weather_folder", "scheduler", "workers", "target")),
+        "for a table of sites": (sites, ("place", "shift", "utc_offset")),
+    }
+    for why, (idle, names) in kinds.items():
+        refuse_idle({name: given[name] for name in names if idle}, plain, why)
+    return sites
+
+
+def tilt_and_azimuth(text: str) -> tuple[float, float]:
+    """The two angles of --plane, degrees; ValueError for what is no plane.
+
+    >>> tilt_and_azimuth("30,-90")
+    (30.0, 270.0)
+    """
+    tilt, azimuth = numbers(text, 2, "--plane", "30,180 (tilt,azimuth in degrees)")
+    if not 0 <= tilt <= 180:
+        raise ValueError(f"the tilt of --plane must lie in [0, 180] degrees, got {tilt:g}")
+    return tilt, azimuth % 360
+
+
 def planes_of(asked: YearOptions, planes: list[str], horizon: Path | None, ground: float) -> list[Any]:
     """The planes among what stands around them; ValueError for two kinds of surroundings."""
     import skydome as sd
@@ -130,8 +157,7 @@ def planes_of(asked: YearOptions, planes: list[str], horizon: Path | None, groun
     ]
     if len(given) > 1:
         raise ValueError(f"planes stand in one kind of surroundings, got {' and '.join(given)}")
-    pairs = [numbers(text, 2, "--plane", "30,180 (tilt,azimuth in degrees)") for text in planes]
-    tilted = [(tilt * sd.deg, turn % 360 * sd.deg) for tilt, turn in pairs]
+    tilted = [(tilt * sd.deg, turn * sd.deg) for tilt, turn in map(tilt_and_azimuth, planes)]
     if asked.mesh is not None:
         return in_mesh(asked, tilted, ground)
     if horizon is not None:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.commands.year import minutes
-from skydome.cli.doors import progress, require_output
+from skydome.cli.doors import progress, refuse_idle, require_output
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show
 from skydome.ground.extras import required
@@ -46,8 +46,10 @@ def weather(
     from skydome.years.quality.report import quality
     from skydome.years.weather.reading import read_weather
 
-    require_output(repair, "--repair", (".epw", ".csv", ".gz"))
-    require_output(downscale, "--downscale", (".wea",))
+    require_output(repair, "--repair", (".epw", ".csv", ".gz"), file)
+    require_output(downscale, "--downscale", (".wea",), file)
+    if downscale is None:
+        refuse_idle({"step": step, "seed": seed}, {"step": "5min", "seed": 0}, "without --downscale")
     require_output(plot, "a plot's file", FORMATS)
     fine = minutes_of(step)
     if plot is not None:

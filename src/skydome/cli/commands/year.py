@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from typer import Argument, Option
 
-from skydome.cli.doors import STORE, progress, require_output
+from skydome.cli.doors import STORE, progress, refuse_idle, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show_facts
 from skydome.ground.extras import required
@@ -65,7 +65,7 @@ def year(
     reading["utc_offset"] = utc_offset
     require_outputs(output, suns, plot)
     check_extras(output, plot)
-    sites = weather.suffix.lower() == ".csv" and is_sites(weather)
+    sites = is_sites(weather)
     if output is not None and is_store(output) and not sites:
         from skydome.years.stores.stores import require_free
 
@@ -73,6 +73,14 @@ def year(
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if sites:
+            alone = {"colour": colour, "wavelengths": wavelengths, "label": label, "shift": shift, "place": place}
+            alone |= {
+                "suns": suns,
+                "plot": plot,
+                "utc_offset": utc_offset or None,
+                "sun_in_patch": sun_in_patch or None,
+            }
+            refuse_idle(alone, dict.fromkeys(alone), "for a table of sites")
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
             required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
@@ -132,9 +140,11 @@ def minutes(text: str | None) -> float | str | None:
 
 
 def is_sites(path: Path) -> bool:
-    """True for a table of sites, False for a TMY3 file."""
+    """True for a table of sites (.csv), False for a TMY3 or any other file."""
     from skydome.ground.arguments import require_file
 
+    if path.suffix.lower() != ".csv":
+        return False
     with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
         cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
     return "file" in cells and "name" in cells

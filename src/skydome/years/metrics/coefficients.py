@@ -57,7 +57,11 @@ class DaylightCoefficients:
 
         ValueError for a file that is no matrix, or whose columns are no Reinhart sky with its ground.
         """
-        return cls(grey(total), *(None if path is None else grey(path) for path in (direct, suns)))
+        read = [None if path is None else grey(path) for path in (total, direct, suns)]
+        for path, matrix in zip((total, direct, suns), read, strict=True):
+            if matrix is not None:
+                division_of(matrix, f"{path}: ")
+        return cls(*read)
 
     @property
     def patches(self) -> str:
@@ -117,12 +121,14 @@ def sun_by_patch(
     return light
 
 
-def division_of(matrix: np.ndarray) -> int:
+def division_of(matrix: np.ndarray, whose: str = "") -> int:
     """n of Reinhart's MF:n by the columns of a matrix; ValueError where they are no such sky with its ground."""
     columns = matrix.shape[1]
     division = round(((columns - 2) / 144) ** 0.5) if columns > 2 else 0
     if division < 1 or columns != 144 * division**2 + 2:
-        raise ValueError(f"a matrix must have 144 n^2 + 2 columns, ground and Reinhart's patches, got {columns}")
+        raise ValueError(
+            f"{whose}coefficients must have 144 n^2 + 2 columns, ground and Reinhart's patches, got {columns}"
+        )
     return division
 
 
