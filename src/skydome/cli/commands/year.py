@@ -73,14 +73,10 @@ def year(
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if sites:
-            alone = {"colour": colour, "wavelengths": wavelengths, "label": label, "shift": shift, "place": place}
-            alone |= {
-                "suns": suns,
-                "plot": plot,
-                "utc_offset": utc_offset or None,
-                "sun_in_patch": sun_in_patch or None,
-            }
-            refuse_idle(alone, dict.fromkeys(alone), "for a table of sites")
+            alone = {**reading, "colour": colour, "wavelengths": wavelengths, "suns": suns, "plot": plot}
+            alone["sun_in_patch"] = sun_in_patch
+            plain = dict.fromkeys(alone) | {"utc_offset": 0.0, "sun_in_patch": False}
+            refuse_idle(alone, plain, "for a table of sites")
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
             required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)

@@ -57,11 +57,7 @@ class DaylightCoefficients:
 
         ValueError for a file that is no matrix, or whose columns are no Reinhart sky with its ground.
         """
-        read = [None if path is None else grey(path) for path in (total, direct, suns)]
-        for path, matrix in zip((total, direct, suns), read, strict=True):
-            if matrix is not None:
-                division_of(matrix, f"{path}: ")
-        return cls(*read)
+        return cls(grey(total), *(None if path is None else grey(path) for path in (direct, suns)))
 
     @property
     def patches(self) -> str:
@@ -133,11 +129,10 @@ def division_of(matrix: np.ndarray, whose: str = "") -> int:
 
 
 def grey(path: str | PathLike[str]) -> np.ndarray:
-    """The matrix of a file in luminance, (P, N + 1)."""
+    """The matrix of a file in luminance, (P, N + 1); ValueError where it holds no coefficients of a sky."""
     values, _ = read(path)
-    if values.shape[2] == 3:
-        grey_values: np.ndarray = values.astype(np.float64) @ LUMINANCE_OF_RGB
-        return grey_values
-    if values.shape[2] != 1:
+    if values.shape[2] not in (1, 3):
         raise ValueError(f"{path}: daylight coefficients have 1 or 3 channels, got {values.shape[2]}")
-    return values[..., 0].astype(np.float64)
+    division_of(values, f"{path}: ")
+    matrix: np.ndarray = values.astype(np.float64) @ (LUMINANCE_OF_RGB if values.shape[2] == 3 else np.ones(1))
+    return matrix
