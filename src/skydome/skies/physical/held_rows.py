@@ -155,5 +155,7 @@ class HeldColumns(NamedTuple):
     def fields(self, risen: np.ndarray) -> np.ndarray:
         """Fields (R, shapes, 3, N) of coefficients (R, shapes, 3, terms)."""
         terms = risen.shape[-1]
-        fields: np.ndarray = (risen.reshape(-1, terms) @ self.waves[:terms]).reshape(*risen.shape[:-1], -1)
+        fields: np.ndarray = (risen.reshape(-1, terms) @ self.waves[:terms]).reshape(
+            *risen.shape[:-1], self.waves.shape[1]
+        )
         return fields
