@@ -16,7 +16,7 @@ def many_sites(asked: Any, planes: list[Any], ground: float) -> dict[str, Any]:
     sites, bad = read_sites(asked.weather or "", asked.weather_folder)
     with progress("sites") as report:
         data, notes = portfolio(
-            sites, planes, ground, asked.transposition, asked.patches, asked.target,
+            sites, planes, ground, asked.transposition, asked.patches or "tregenza", asked.target,
             asked.scheduler, asked.workers, report,
         )  # fmt: skip
     write_dataset(data, asked.output)

@@ -39,7 +39,12 @@ class YearOptions:
             rich_help_panel=PANEL,
         ),
     ] = "perez-1993"
-    patches: Annotated[str, Option(help="tregenza, reinhart:N or equal-area:N.", rich_help_panel=PANEL)] = "reinhart:4"
+    patches: Annotated[
+        str | None,
+        Option(
+            help="tregenza, reinhart:N or equal-area:N; else reinhart:4, of sites.csv tregenza.", rich_help_panel=PANEL
+        ),
+    ] = None
     shift: Annotated[
         str | None,
         Option(
@@ -85,6 +90,7 @@ def year_on_planes(
 ) -> dict[str, Any]:
     """The facts of a year on planes; ValueError or OSError, before any work, for what cannot be."""
     import skydome as sd
+    from skydome.years.planes.light import FINE
     from skydome.years.planes.table import write_table
     from skydome.years.stores.stores import write_dataset
     from skydome.years.weather.reading import read_weather
@@ -102,7 +108,7 @@ def year_on_planes(
     with warnings.catch_warnings(record=True) as caught, progress("a year on planes"):
         warnings.simplefilter("always", UserWarning)
         given = read_weather(asked.weather or "", shift=shift, place=place, utc_offset=asked.utc_offset)
-        light = sd.on_planes(given, known, ground, asked.transposition, patches=asked.patches)
+        light = sd.on_planes(given, known, ground, asked.transposition, patches=asked.patches or FINE)
         if asked.output is not None:
             write = write_table if asked.output.suffix.lower() == ".csv" else write_dataset
             write(light, asked.output)
