@@ -42,9 +42,10 @@ def scene(name, sun):
     )
 
 
-def test_the_page_has_every_model_but_solvers(opened):
+def test_the_page_has_every_model_but_solvers_and_cloud(opened):
     assert {model.name for model in CATALOGUE} - set(opened().ask("explorer.models")) == {
         "discrete-ordinates", "klassen-1987", "nishita-1993", "nishita-1996", "precomputed", "hillaire", "path-traced",
+        "overcast",
     }  # fmt: skip
 
 
