@@ -31,6 +31,10 @@ def test_a_film_of_a_day_is_taken_up_again(call, refused, tmp_path):
     again = json.loads(call(*film, "--json").stdout)
     assert again["made"] == []
     assert len(again["there_before"]) == 3
+    rest = json.loads(call(*film[:6], "9h", *film[7:-1], tmp_path / "rest", "--json").stdout)
+    assert rest["made"] == ["sky.0001.exr", "sky.0002.exr", "sky.0003.exr"]  # 0, 9 and 18 h
+    assert "a day at most" in refused(*film[:6], "48h", *film[7:])
+    assert "at most 100,000 frames, got 864,000" in refused(*film[:6], "0.1s", *film[7:])
     assert "--place and --date" in refused("animate", "-o", tmp_path)
     assert "give --place and --date" in refused("animate", "--date", "2026-01-18", "-o", tmp_path)
 

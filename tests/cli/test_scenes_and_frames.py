@@ -57,6 +57,8 @@ def test_an_exposure_in_ev(call, refused, tmp_path):
         (("-o", "a.exr", "--north", 400), "--north must lie"),
         (("-o", "a.exr", "--step", "10min"), "needs --place, --time"),
         (("-o", "a.exr", "--step", "10", "--until", "2026-06-21T16:00+02:00"), "such as 10min"),
+        (("-o", "a.exr", "--step", "0.0000001s", "--until", "2026-06-21T16:00+02:00"), "such as 10min"),
+        (("-o", "a.exr", "--step", "99999999999d", "--until", "2026-06-21T16:00+02:00"), "such as 10min"),
         (("-o", "a.exr", "--step", "1h", "--until", "2026-06-21T14:00+02:00"), "at or after"),
         (("-o", "a_%d.exr", "--step", "1h", "--until", "2026-06-21T17:00+02:00"), "the same names"),
         (("-o", "a.png", "--step", "1h", "--until", "2026-06-21T17:00+02:00"), "one exposure"),

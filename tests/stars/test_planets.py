@@ -7,8 +7,10 @@ import numpy as np
 from skydome.ground.directions import angle_between, direction
 from skydome.ground.units import deg
 from skydome.stars.planets import planets
+from skydome.sun.celestial import aberrated, earth, from_place
 from skydome.sun.geocentric import days_since_j2000
 from skydome.sun.place import Place
+from skydome.sun.position import sun_direction
 
 NEAR = {"Mercury", "Venus", "Mars"}
 
@@ -33,3 +35,17 @@ def test_directions_and_magnitudes_against_de421():
         assert off < 0.03
         assert np.nanmax(difference) < 0.12
     ephemeris.close()
+
+
+def test_years_far_from_now_come_without_a_warning():
+    """ERFA's sun stands where NREL's does; ERFA itself would warn of its series for the earth outside 1900-2100."""
+    place = Place(48.0, 16.0, 200)
+    times = np.array(["0500-02-20T12", "1500-05-20T12", "2500-08-20T12", "2999-11-20T12"], "datetime64[us]")
+    here, velocity = earth(times)
+    far = np.linalg.norm(here, axis=-1, keepdims=True)
+    seen = from_place(place, aberrated(-here / far, velocity) * far, times)
+    seen /= np.linalg.norm(seen, axis=-1, keepdims=True)
+    off = angle_between(seen, sun_direction(place, times)).max() / deg
+    print(f"the sun far from now: {off:.5f} degrees")
+    assert off < 0.002
+    assert all(np.isfinite(planet.magnitude).all() for planet in planets(place, times))

@@ -22,9 +22,10 @@ def duration(text: str) -> timedelta:
     (datetime.timedelta(seconds=600), datetime.timedelta(seconds=5400))
     """
     found = re.fullmatch(r"(\d+(?:\.\d+)?)\s*(s|min|h|d)", text.strip())
-    if found is None or float(found[1]) == 0:
+    seconds = float(found[1]) * UNITS[found[2]] if found else 0.0
+    if not 1e-6 <= seconds < timedelta.max.total_seconds():
         raise ValueError(f"--step must be a length of time such as 10min, 30s, 1h or 1d, got {text!r}")
-    return timedelta(seconds=float(found[1]) * UNITS[found[2]])
+    return timedelta(seconds=seconds)
 
 
 def frame_times(first: datetime, last: datetime, step: timedelta) -> list[datetime]:
@@ -33,11 +34,10 @@ def frame_times(first: datetime, last: datetime, step: timedelta) -> list[dateti
     Steps are of elapsed time: they go through a change of the clocks as through any other hour.
     """
     count = int((last - first) / step) + 1
-    if last < first or count > MOST_FRAMES:
-        raise ValueError(
-            f"--until must be at or after --time, and --step give at most {MOST_FRAMES:,} frames, got "
-            f"{first.isoformat()} to {last.isoformat()}"
-        )
+    if last < first:
+        raise ValueError(f"--until must be at or after --time, got {first.isoformat()} to {last.isoformat()}")
+    if count > MOST_FRAMES:
+        raise ValueError(f"--step must give at most {MOST_FRAMES:,} frames, got {count:,}")
     return [(first.astimezone(UTC) + k * step).astimezone(first.tzinfo) for k in range(count)]
 
 

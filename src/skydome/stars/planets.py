@@ -82,12 +82,12 @@ def planet(
     refraction: bool,
 ) -> Planet:
     """One planet at instants (N,), its numbers in `shape`."""
-    from erfa import plan94
+    from erfa.ufunc import plan94  # does not warn of years outside 1000-3000
 
     days = terrestrial_days(utc)
     far = np.zeros(utc.shape)
     for _ in range(3):  # where it was when the light left
-        there = plan94(JULIAN_DAY_J2000, days - far * LIGHT_DAYS_PER_AU, NUMBERS[name])["p"]
+        there = plan94(JULIAN_DAY_J2000, days - far * LIGHT_DAYS_PER_AU, NUMBERS[name])[0]["p"]
         vector = there - here
         far = np.linalg.norm(vector, axis=-1)
     seen = aberrated(vector / far[:, None], velocity)

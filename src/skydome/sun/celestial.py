@@ -87,10 +87,13 @@ def from_place(place: Place, vectors: np.ndarray, utc: np.ndarray) -> np.ndarray
 
 
 def earth(utc: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The earth from the sun, AU (N, 3), and its velocity about the barycentre, AU a day (N, 3), in the stars' axes."""
-    from erfa import epv00
+    """The earth from the sun, AU (N, 3), and its velocity about the barycentre, AU a day (N, 3), in the stars' axes.
 
-    heliocentric, barycentric = epv00(JULIAN_DAY_J2000, terrestrial_days(utc))
+    The plain function of ERFA, which does not warn of years outside 1900-2100.
+    """
+    from erfa.ufunc import epv00
+
+    heliocentric, barycentric, _ = epv00(JULIAN_DAY_J2000, terrestrial_days(utc))
     return heliocentric["p"], barycentric["v"]
 
 

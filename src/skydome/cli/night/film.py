@@ -21,7 +21,9 @@ def film_frames(
 
     first = aware_time(f"{date}T00:00", zone or "UTC")
     after = datetime.fromisoformat(date) + timedelta(days=1)
-    last = aware_time(after.date().isoformat() + "T00:00", zone or "UTC") - duration(step)
+    last = aware_time(after.date().isoformat() + "T00:00", zone or "UTC") - timedelta(microseconds=1)
+    if duration(step) > timedelta(days=1):
+        raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
     options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat())
     kind = "exr" if exposure is None else "png"
     file = FileOptions(exposure=exposure)

@@ -49,6 +49,7 @@ def cloud_of(given: Any) -> Cloud | None:
         cloud = given
     else:
         require_kind(given, Real, "clouds", "an optical depth such as 20.0, or sd.Cloud(20.0)")
+        require("optical depth of clouds", float(given), OVERCAST)
         cloud = Cloud(float(given))
     if cloud is not None:
         require_one("optical depth of clouds", cloud.optical_depth)
