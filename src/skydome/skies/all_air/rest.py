@@ -130,7 +130,9 @@ class Rest:
 def mixed(coefficients: Array, shapes: Array) -> Array:
     """Sums (..., W) of shapes (..., S) by coefficients (..., W, S): at once for all views of one air under one sun."""
     xp = namespace(coefficients, shapes)
-    turned = xp.matrix_transpose(coefficients)
+    finer = xp.result_type(shapes, coefficients)
+    shapes = xp.astype(shapes, finer, copy=False)
+    turned = xp.astype(xp.matrix_transpose(coefficients), finer, copy=False)
     if turned.ndim == 2:
         return shapes @ turned
     if shapes.ndim > 1 and turned.shape[-3] == 1:

@@ -193,7 +193,11 @@ class OvercastSky(SunlitSky, SpectralSky):
 
     def views(self, directions: Array) -> Array:
         """The directions (..., 3), checked, in the sky's library."""
-        return checked_directions(same(floating(directions), self.toward))
+        views = floating(directions)
+        if is_numpy(floating(self.sun)):
+            views = same(views, self.toward)
+        namespace(views, self.toward)
+        return checked_directions(views)
 
     def in_blocks(self, views: Array, wavelengths: np.ndarray) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W): in NumPy some views at a time."""
