@@ -140,5 +140,5 @@ def is_dark(order: MapOrder) -> bool:
 
 def frame_facts(facts: dict[str, Any]) -> dict[str, Any]:
     """What the record keeps of a frame."""
-    kept = ("time", "sun", "illuminance_lx", "zenith_luminance_cd_m2", "scene", "lamp")
+    kept = ("time", "sun", "illuminance_lx", "zenith_luminance_cd_m2", "scene", "lamp", "light")
     return {name: facts[name] for name in kept if name in facts}

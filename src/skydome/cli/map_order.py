@@ -70,9 +70,13 @@ class MapOrder:
         """Rows of the map."""
         return self.layout.projection.height_for(USUAL_TEXELS) if self.height is None else self.height
 
+    def scene(self) -> "Scene":
+        """The light."""
+        return scene_of(self.options, self.north, any_hour=True)
+
     def made(self) -> dict[str, Any]:
         """Make it: the facts of the light and of the file."""
-        scene = scene_of(self.options, self.north, any_hour=True)
+        scene = self.scene()
         picture = self.file.seen(self.picture(scene))
         written = file_facts(self.output, picture, self.layout, self.file)
         if self.beside is None:

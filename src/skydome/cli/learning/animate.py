@@ -5,6 +5,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
+from skydome.cli.clouds.film import light_film
 from skydome.cli.doors import progress
 from skydome.cli.map_file import Exposure, Half
 from skydome.cli.night.film import film_of, movie_of, show_film
@@ -32,7 +33,7 @@ def animate(
     masks: Annotated[
         bool, Option("--masks", help="Write each capture's sky mask beside it as PNG to edit, and stop.")
     ] = False,
-    seed: Annotated[int, Option(help="Seed of the training.")] = 0,
+    seed: Annotated[int, Option(help="Seed of the training, or of the clouds.")] = 0,
     recipe: Annotated[
         str, Option(metavar="NAME", help="The day's network: maps, or published with the paper's output and loss.")
     ] = "maps",
@@ -41,7 +42,17 @@ def animate(
         str | None,
         Option(metavar="2026-08-12", help="No captures: a day and its night at --place, by the physical sky."),
     ] = None,
-    step: Annotated[str, Option(metavar="10min", help="Time between the frames of --date.")] = "10min",
+    step: Annotated[
+        str | None, Option(metavar="10min", help="Time between the frames of --date at --place. [default: 10min]")
+    ] = None,
+    weather: Annotated[
+        Path | None,
+        Option(metavar="SITE.epw", help="No --place: the --date of a weather file, each row's light in a frame."),
+    ] = None,
+    clouds: Annotated[
+        str | None,
+        Option(metavar="KIND", help="Of --weather: cumulus, stratocumulus, altocumulus or cirrus carry its light."),
+    ] = None,
     height: Annotated[int, Option(help="Rows of the frames of --date.")] = 512,
     exposure: Exposure = None,
     film: Annotated[
@@ -55,9 +66,18 @@ def animate(
 ) -> None:
     """Write the frames of a day: between captures, by a neural sky trained on them, or of --date; can go on."""
     movie = movie_of(film, date, exposure, night_vision)
+    if weather is not None or clouds is not None:
+        if weather is None or date is None or (folder or place or step or zone) is not None:
+            raise ValueError(
+                "--clouds are of --weather site.epw and --date, its rows the frames: no captures, --place, --zone, "
+                "--step; `skydome weather site.epw --downscale fine.wea` makes rows of minutes"
+            )
+        frames_of_light = light_film(weather, date, clouds, seed, output, height, exposure if movie is None else None)
+        show_film(frames_of_light, movie, as_json)
+        return
     if date is not None:
         level = exposure if movie is None else None
-        show_film(film_of(folder, place, date, zone, step, output, height, level), movie, as_json)
+        show_film(film_of(folder, place, date, zone, step or "10min", output, height, level), movie, as_json)
         return
     if folder is None:
         raise ValueError("animate needs a folder of captures, or --place and --date")

@@ -104,13 +104,13 @@ def clouds_for(
     raise refused[0]
 
 
-def carried(dni: float, dhi: float, clear: Clear, field: CloudField) -> MeasuredClouds:
-    """The sky of a field, its level and its disc's set to the light; ValueError where that moves them too far."""
+def carried(dni: float, dhi: float, clear: Clear, field: CloudField, most: float = NEAR) -> MeasuredClouds:
+    """The sky of a field, its level and its disc's set to the light; ValueError where that moves them beyond `most`."""
     cloudy, disc = CloudySky(clear.sky, field), SunDisc.of(clear.sky)
     diffuse = dhi / (clear.diffuse(field, 2) if field.cover else clear.alone)
     direct = dni / (clear.beam * cloudy.sun_share) if cloudy.sun_share > FAINT / 2 else 1.0
     for name, value, factor in (("dhi", dhi, diffuse), ("dni", dni, direct)):
-        if not 1 / (1 + NEAR) <= factor <= 1 + NEAR:
+        if not 1 / (1 + most) <= factor <= 1 + most:
             raise ValueError(f"{name} must be near {value / factor:.0f} W m-2 with these clouds, got {value:g}")
     level = np.asarray(disc.normal_xyz)[..., 1] * dni / clear.beam
     dimmed = replace(disc, direct_normal_illuminance=level)
@@ -144,8 +144,8 @@ def finely(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudFi
     return found
 
 
-def field_for(dhi: float, share: float, clear: Clear, start: CloudField) -> CloudField:
-    """The field that leaves a share of the sun and has the diffuse irradiance, or comes nearest."""
+def field_for(dhi: float, share: float, clear: Clear, start: CloudField, most: float = NEAR) -> CloudField:
+    """The field that leaves a share of the sun and has the diffuse irradiance, or comes nearest, within `most`."""
     if share > 1:
         return replace(start, cover=0.0)
     search = Search(dhi, share, clear, start)
@@ -156,7 +156,7 @@ def field_for(dhi: float, share: float, clear: Clear, start: CloudField) -> Clou
             pair = search.pair()
             if pair is not None:
                 return search.between(*pair)
-    return search.nearest()
+    return search.nearest(most)
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,10 +205,10 @@ class Search:
         """The nearest so far."""
         return min(self.found, key=lambda each: abs(each[2] - self.dhi))
 
-    def nearest(self) -> CloudField:
-        """The nearest; ValueError with what is possible where that is too far."""
+    def nearest(self, most: float) -> CloudField:
+        """The nearest; ValueError with what is possible where that is farther off than `most`."""
         lights = [light for _, _, light in self.found]
-        if not lights or abs(self.best[2] / self.dhi - 1) > NEAR:
+        if not lights or abs(self.best[2] / self.dhi - 1) > most:
             low, high = min(lights, default=0.0), max(lights, default=0.0)
             raise ValueError(
                 f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {self.dhi:g}"

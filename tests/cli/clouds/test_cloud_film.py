@@ -1,0 +1,69 @@
+"""`skydome animate --weather`: every frame has a row's light, by clouds that have it or the nearest ones."""
+
+import json
+
+import pytest
+
+import skydome as sd
+from skydome.cli.clouds.film import LightOrder, light_film
+
+pytest.importorskip("numba")
+TAPE = """place Turin
+latitude 45.07
+longitude -7.69
+time_zone -15
+site_elevation 240
+weather_data_file_units 1
+6 20 12.500 800 100
+6 21 3.500 0 0
+6 21 4.500 15 4
+6 21 12.500 860 120
+6 21 23.500 0 0
+"""
+
+
+@pytest.fixture
+def tape(tmp_path):
+    path = tmp_path / "two.wea"
+    path.write_text(TAPE)
+    return path
+
+
+def test_frames_of_a_day_are_taken_up_again(call, tape, tmp_path):
+    film = ("animate", "--weather", tape, "--date", "2026-06-21", "--clouds", "cumulus", "--height", "16", "--json")
+    shown = call(*film, "-o", tmp_path / "frames")
+    facts = json.loads(shown.stdout)
+    assert facts["made"] == ["sky.0001.exr", "sky.0002.exr"]
+    told = [line for line in shown.stderr.splitlines() if "nearest clouds" in line]
+    assert len(told) == 1
+    assert "15 direct, 4 W m-2 diffuse: the direct light times" in told[0]
+    record = json.loads((tmp_path / "frames" / "sky.frames.json").read_text())["frames"]
+    assert [frame["light"]["dhi"] for frame in record.values()] == [4.0, 120.0]
+    again = json.loads(call(*film, "-o", tmp_path / "frames").stdout)
+    assert again["made"] == []
+    tape.write_text(TAPE.replace("860", "850"))
+    orders = light_film(tape, "2026-06-21", "cumulus", 0, tmp_path / "frames", 16, None)
+    assert orders.done() == {}
+
+
+def test_a_frame_has_the_light_of_its_row(tape, tmp_path):
+    order = list(light_film(tape, "2026-06-21", "cumulus", 0, tmp_path, 16, None))[1]
+    assert isinstance(order, LightOrder)
+    light = sd.broadband(order.scene().whole)
+    assert light.direct_normal == pytest.approx(860, rel=0.01)
+    assert light.diffuse_horizontal == pytest.approx(120, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--date", "2026-06-21"), "--clouds cumulus"),
+        (("--date", "2026-06-21", "--clouds", "fog"), "cumulus, stratocumulus, altocumulus, cirrus, got 'fog'"),
+        (("--date", "2026-12-21", "--clouds", "cirrus"), "no row with light on 21 December"),
+        (("--date", "noon", "--clouds", "cirrus"), "--date must be a day such as 2026-06-21, got 'noon'"),
+        (("--clouds", "cirrus"), "--weather site.epw and --date"),
+        (("--date", "2026-06-21", "--clouds", "cirrus", "--step", "5min"), "--downscale fine.wea"),
+    ],
+)
+def test_films_that_cannot_be(refused, tape, tmp_path, arguments, told):
+    assert told in refused("animate", "--weather", tape, *arguments, "-o", tmp_path / "none")
