@@ -10,7 +10,7 @@ from drawing import keep, write
 from PIL import Image
 
 import skydome as sd
-from skydome.ground.directions import elevation
+from skydome.dome.energy.nearest_clouds import nearest_clouds
 from skydome.light.colour import encode_srgb
 from skydome.light.tone import Filmic, tone_mapped
 from skydome.years.weather.sun_of_interval import lit_sun
@@ -58,24 +58,20 @@ def kinds() -> None:
 
 
 def day(path: str) -> None:
-    """Hours of a day of a weather file, their light its own."""
+    """Eight hours of a day of a weather file, their light its own; factors over a tenth are told."""
     weather = sd.read_weather(path, shift="auto")
-    suns, rows = lit_sun(weather), []
-    local = weather.local
-    for k in np.flatnonzero(np.char.startswith(local.astype(str), weather_day(local, DAY)))[::2]:
-        if elevation(suns.directions[k]) < 4 * sd.deg or suns.lit[k] < 1:
-            continue
+    suns, local, rows = lit_sun(weather), weather.local, []
+    of_day = np.char.startswith(local.astype(str), weather_day(local, DAY))
+    hours = np.flatnonzero(of_day & (suns.lit > 0) & (weather.diffuse_horizontal >= 1))
+    for k in hours[np.linspace(0, len(hours) - 1, 8).round().astype(int)]:
         dni, dhi = float(weather.direct_normal[k]), float(weather.diffuse_horizontal[k])
-        try:
-            found = sd.clouds_for(dni, dhi, suns.directions[k], sd.CloudField(sd.Cumulus(), seed=7))
-        except ValueError as error:
-            print(local[k], dni, dhi, error)
-            continue
-        print(local[k], dni, dhi, found.field.cover, found.diffuse_factor, found.direct_factor, flush=True)
-        text = f"{str(local[k])[11:16]}: direct {dni:.0f}, diffuse {dhi:.0f} W m-2, cover {found.field.cover:.2f}"
-        rows.append((text, strip(found.whole)))
-    even = rows[: len(rows) // 2 * 2]
-    page([even[k : k + 2] for k in range(0, len(even), 2)], "clouds_day")
+        found, why = nearest_clouds(dni, dhi, suns.directions[k], sd.CloudField(sd.Cumulus(), seed=7))
+        print(local[k], dni, dhi, found.field.cover, found.diffuse_factor, found.direct_factor, why, flush=True)
+        clock = str(suns.times[k] + (local[k] - weather.middle[k]))[11:16]
+        text = f"{clock}: direct {dni:.0f}, diffuse {dhi:.0f} W m-2, cover {found.field.cover:.2f}"
+        forced = f"; factors {found.direct_factor:.2f}, {found.diffuse_factor:.2f}" if why else ""
+        rows.append((text + forced, strip(found.whole)))
+    page([rows[k : k + 2] for k in range(0, len(rows), 2)], "clouds_day")
 
 
 def weather_day(local: np.ndarray, date: str) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.dome.energy.measured_air import HAZES, USUAL_HAZE, airs_for, hazy, nearest
-from skydome.dome.energy.measured_clouds import MeasuredClouds, carried, clouds_for, field_for
+from skydome.dome.energy.measured_clouds import LOWEST, MeasuredClouds, carried, clouds_for, field_for
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.clouds.fields.field import CloudField
 
@@ -27,22 +27,25 @@ def nearest_clouds(
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=1.5 * sd.deg)
     >>> found, why = nearest_clouds(30.0, 12.0, sun, CloudField())
-    >>> why[:36], bool(0.1 < found.diffuse_factor < 10)
-    ('sun must be one direction, 2 degrees', True)
+    >>> why, bool(0.1 < found.diffuse_factor < 10)
+    ('the sun stands at 1.5 degrees, and clouds are looked for from 2 degrees on', True)
     """
     if not (0 <= dni < ANY and 0 < dhi < ANY):
         raise ValueError(f"dni must be at least 0 and dhi more than 0 W m-2, both finite, got {dni:g} and {dhi:g}")
+    toward, air = np.asarray(sun, np.float64), clear_air() if air is None else air
+    if (high := float(np.degrees(np.arcsin(toward[2])))) < LOWEST:
+        why = f"the sun stands at {high:.1f} degrees, and clouds are looked for from {LOWEST:g} degrees on"
+        return by_cover(dni, dhi, toward, field, air), why
     try:
-        return clouds_for(dni, dhi, sun, field, air), ""
+        return clouds_for(dni, dhi, toward, field, air), ""
     except ValueError as error:
         why = str(error)
-    sun, air = np.asarray(sun, np.float64), clear_air() if air is None else air
     found = []
     try:
-        for clear, share in airs_for(dni, dhi, sun, air):
+        for clear, share in airs_for(dni, dhi, toward, air):
             found.append(carried(dni, dhi, clear, field_for(dhi, share, clear, field, ANY), ANY))
     except ValueError:  # nowhere in the field is there a place for that sun, or no air lets so much through
-        found.append(by_cover(dni, dhi, sun, field, air))
+        found.append(by_cover(dni, dhi, toward, field, air))
     return min(found, key=strain), why
 
 
