@@ -64,8 +64,8 @@ def test_march_finds_the_first_ground_like_brute_force():
 def test_shadows_soften_alike_across_and_along_the_sun(azimuth, elevation):
     """Shadow rays go to points even over the disc: variance R^2 / 4 along either tangent, none beyond R."""
     from skydome.ground.elementary_kernel import stirred
-    from skydome.land.picture import sun_of
     from skydome.land.picture_kernel import point_on_sun
+    from skydome.land.sky_light import sun_of
 
     sky = sd.Preetham(sd.direction(azimuth * deg, elevation * deg), 3.0)
     disc = sd.SunDisc.of(sky)
@@ -90,6 +90,21 @@ def test_flat_ground_is_lit_as_the_sky_says():
     assert luminance == pytest.approx(0.3 / np.pi * float(sd.illuminance(sky)), rel=0.02)
     centre = picture.depth[3:5, 3:5].mean()
     assert centre == pytest.approx(50 / np.sin(80 * deg), rel=0.01)
+
+
+@pytest.mark.parametrize(("east", "share"), [(0.0, 0.0), (1600.0, 1.0)])
+def test_clouds_dim_the_sun_over_the_land_place_by_place(east, share):
+    """Radiance = albedo / pi x (skylight + share x sun), the share that of a ray from the place itself."""
+    from skydome.skies.clouds.fields.shadows import sun_share
+
+    field = sd.CloudField(cover=0.5, seed=7, place=(east, 0.0))
+    sky, disc = sd.Daylight(sd.Uniform(3000.0)), sd.SunDisc(SUN, 3.0)
+    above = Camera(above_ground=40, elevation=-89 * deg, width=2, height=2, field_of_view=2 * deg)
+    picture = render_terrain(flat(), above, sky + disc, albedo=(0.3, 0.3, 0.3), samples=16, clouds=field)
+    assert sun_share(field, SUN, np.zeros(3)) == pytest.approx(share, abs=1e-3)
+    sunlight = float(disc.normal_xyz[1]) * SUN[2]
+    got = (picture.rgb @ np.array([0.2126, 0.7152, 0.0722])).mean()
+    assert got == pytest.approx(0.3 / np.pi * (3000 * np.pi + share * sunlight), rel=0.02)
 
 
 def test_a_wall_shades_and_hides_the_sky():
@@ -133,7 +148,7 @@ def test_pictures_repeat_and_are_finite_everywhere():
 
 @pytest.mark.parametrize("width", [40, 333])
 def test_the_sun_in_the_picture_has_its_energy(width):
-    from skydome.land.picture import background_of
+    from skydome.land.sky_light import background_of
 
     disc = sd.SunDisc(SUN, 3.0)
     camera = Camera(azimuth=230 * deg, elevation=30 * deg, width=width, height=width)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.clouds.scene import with_clouds, without_clouds
+from skydome.cli.clouds.scene import Clouded, with_clouds, without_clouds
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_light
 from skydome.cli.night.eclipse import under_eclipse
@@ -22,7 +22,10 @@ LEAST_WIDTH, MOST_WIDTH = 0.01, 11.0
 
 @dataclass(frozen=True)
 class Scene:
-    """`sky` alone and `whole` with the sun's disc; `disc` is None without one; `moment` None where no sun was given."""
+    """`sky` alone and `whole` with the sun's disc; `disc` is None without one; `moment` None where no sun was given.
+
+    `clouds`: of --clouds.
+    """
 
     name: str
     sky: "ColourSky"
@@ -30,6 +33,7 @@ class Scene:
     disc: "SunDisc | None"
     moment: Moment | None
     notes: tuple[str, ...]
+    clouds: Clouded | None = None
 
 
 def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) -> Scene:
@@ -50,10 +54,11 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     sky, notes = build(model, moment, options)
     sky, dimmed = under_eclipse(sky, true)
     coloured, more = in_colour(sky, moment, options)
-    if asked.clouds is None:
+    clouds = None if asked.clouds is None else with_clouds(sky, asked)
+    if clouds is None:
         disc, last = disc_for(model, coloured, moment, options)
     else:
-        coloured, disc, last = with_clouds(sky, asked)
+        coloured, disc, last = clouds.sky, None if options.no_sun else clouds.disc, clouds.notes
     disc, size = of_size(disc, options.sun_size)
     notes = haze + notes + dimmed + more + last + size
     overcast = None
@@ -68,6 +73,7 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
         disc,
         true,
         tuple(dict.fromkeys(notes)),
+        clouds,
     )
 
 

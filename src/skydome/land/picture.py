@@ -5,41 +5,35 @@ from typing import Any
 
 import numpy as np
 
-from skydome.dome.integrals import discs_and_rest
 from skydome.eye.view import Camera
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import as_numpy, constant
 from skydome.ground.compiled import shared
-from skydome.ground.directions import ZENITH, direction, tangent_frame, unit
+from skydome.ground.directions import ZENITH
 from skydome.ground.extras import required
 from skydome.ground.limits.ranges import SEED, require, require_one
 from skydome.ground.limits.sizes import require_count
-from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.units import EARTH_RADIUS
 from skydome.haze.aerial_perspective import AirLight
 from skydome.haze.fast import FastTables
-from skydome.haze.horizon_light import HORIZON, horizon_directions
+from skydome.haze.horizon_light import horizon_directions
 from skydome.haze.ward_larson import WardLarson
+from skydome.land.cloud_shade import shade_of
 from skydome.land.elevation import Elevation
+from skydome.land.sky_light import background_of, skylight_of, sun_of
 from skydome.land.terrain_picture import TerrainPicture
 from skydome.land.texture import surface_of
-from skydome.light.colour import rgb_from_xyz
-from skydome.skies.colour_sky import ColourSky
+from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.sky import Sky
 
 REFRACTION = 7 / 6
 """By how much refraction flattens the Earth for a ray near the ground."""
-
-SECTORS, RINGS = 16, 8
-"""Azimuths of the skyline about each vertex, and elevations at which the sky is taken."""
 
 MOST_LIT, MOST_SAMPLES = 100_000, 4096
 """Vertices whose skylight is computed; between them it is interpolated."""
 
 ROWS_AT_A_TIME = 64
 VERTICES_PER_PIECE = 1 << 10
-SUN_POINTS = 4000
-"""Points of the sun's disc that are laid onto the picture."""
 
 GRASS = (0.11, 0.12, 0.07)
 """Reflectance of the ground in linear sRGB unless given: dry grass and forest."""
@@ -55,13 +49,16 @@ def render_terrain(
     curvature: bool = False,
     seed: int = 0,
     progress: Callable[[int, int], None] | None = None,
+    clouds: CloudField | None = None,
 ) -> TerrainPicture:
     """The view of a camera on the land under a sky (with the sun's disc added) through `air`; None is a vacuum.
 
     `albedo`: RGB (3,), or an image (h, w, 3) in linear sRGB stretched over the map. `samples` a pixel: a square
     number. `curvature`: lower the land, and the ground beyond it, by the Earth's curve, less refraction.
     `progress(done, rows)` is called as rows are finished. Beyond the map lies ground of the mean albedo at its lowest
-    height, from which `air` measures heights. Needs Numba.
+    height, from which `air` measures heights. `clouds` stand between sun and land, their heights above the ground under
+    the camera: `sky` is then their `CloudySky` with the disc of the clear sky, which they dim place by place. Needs
+    Numba.
 
     >>> import skydome as sd
     >>> hill, sky = sd.Elevation(np.eye(9), dx=30.0, dy=30.0), sd.Preetham(sd.direction(2.0, 0.7), turbidity=3.0)
@@ -78,6 +75,7 @@ def render_terrain(
     require_kind(air, AirLight | WardLarson | None, "air", "AirLight(sky)")
     require_kind(curvature, bool, "curvature", "True")
     require_kind(progress, Callable | None, "progress", "print")  # type: ignore[arg-type]
+    require_kind(clouds, CloudField | None, "clouds", "CloudField(cover=0.4)")
     require_samples(samples)
     require("seed", seed, SEED)
     require_one("seed", seed, whole=True)
@@ -87,12 +85,14 @@ def render_terrain(
     bend = 1 / (2 * EARTH_RADIUS * REFRACTION) if curvature else 0.0
     ground = (heights, *pyramid_of(heights), float(elevation.dx), float(elevation.dy), (base, bend))
     surface = surface_of(albedo, heights.shape)
-    sunlight, rest = sun_of(sky), skylight_of(sky)
+    disc, rest = sun_of(sky), skylight_of(sky)
+    shade = shade_of(clouds, disc[0], z - camera.above_ground)
+    sunlight = (*disc, shade)
     lit = lit_slopes(ground, rest, sunlight, surface[3])
     through = air_for(air, z - base)
     height, width = camera.shape
     right, up, forward = camera.axes
-    background = background_of(sky, camera)
+    background = background_of(sky, camera, float(shade.share[0, 0]))
     half = camera.pixel / 2
     view = (u, v, float(z), forward, right * (half * width), up * (half * height), width, height)
     rgb, depth = np.zeros((height, width, 3), np.float32), np.zeros((height, width))
@@ -147,61 +147,6 @@ def pyramid_of(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([level.ravel() for level in levels]), shapes
 
 
-def sun_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Direction to the sun in a sky, two tangents as long as its disc's radius, and normal irradiance in RGB.
-
-    Each (3,); dark without a disc.
-    """
-    discs, _ = discs_and_rest(sky)
-    if not discs:
-        return np.array([0.0, 0.0, 1.0]), np.zeros(3), np.zeros(3), np.zeros(3)
-    disc, weight = discs[0]
-    light = np.maximum(rgb_from_xyz(np.asarray(disc.normal_xyz)) * weight, 0.0)
-    sun = np.asarray(disc.sun, dtype=np.float64)
-    across, upward = (np.asarray(axis) * np.tan(disc.angular_radius) for axis in tangent_frame(sun))
-    return sun, across, upward, light
-
-
-def skylight_of(sky: Sky) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Azimuths (K,), elevations (M,), weights (M,) and the sky's RGB there (K, M, 3), without the sun's disc."""
-    sines, steps = gauss_legendre(RINGS)
-    azimuths, elevations = np.arange(SECTORS) * (2 * np.pi / SECTORS), np.arcsin(sines)
-    nodes = direction(azimuths[:, None], elevations)
-    light = np.maximum(rgb_of(discs_and_rest(sky)[1], nodes), 0.0)
-    return azimuths, elevations, steps * (2 * np.pi / SECTORS), np.ascontiguousarray(light)
-
-
-def rgb_of(skies: list[Sky], directions: np.ndarray) -> np.ndarray:
-    """The sum of their RGB (..., 3); TypeError for a sky without colour."""
-    total = np.zeros(directions.shape)
-    for sky in skies:
-        if not isinstance(sky, ColourSky):
-            raise TypeError(f"{type(sky).__name__} knows luminance only; give it colour with Daylight(sky)")
-        total = total + np.asarray(sky.rgb(directions))
-    return total
-
-
-def background_of(sky: Sky, camera: Camera) -> np.ndarray:
-    """RGB (H, W, 3) of the sky with the sun's disc, whose energy is right at every resolution."""
-    discs, rest = discs_and_rest(sky)
-    height, width = camera.shape
-    image = np.zeros((height, width, 3))
-    for first in range(0, height, ROWS_AT_A_TIME):
-        last = min(first + ROWS_AT_A_TIME, height)
-        views = camera.directions(first, last)
-        views[..., 2] = np.maximum(views[..., 2], HORIZON)  # a pixel on the horizon has sky in its upper part
-        image[first:last] = np.maximum(rgb_of(rest, unit(views)), 0.0)
-    for disc, weight in discs:
-        points, light = disc.points(SUN_POINTS)
-        row, column = (np.floor(place) for place in camera.place(points))  # NaN behind the camera
-        seen = (row >= 0) & (row < height) & (column >= 0) & (column < width)
-        radiance = (
-            np.maximum(rgb_from_xyz(light) * weight, 0.0)[seen] / camera.solid_angle_toward(points[seen])[:, None]
-        )
-        np.add.at(image, (row[seen].astype(int), column[seen].astype(int)), radiance)
-    return image
-
-
 def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tuple[np.ndarray, int, np.ndarray]:
     """How skylight on the vertices depends on the normal (see `skylight`), their stride, and what is bounced (3,)."""
     from skydome.land.rays_kernel import skylight
@@ -209,7 +154,7 @@ def lit_slopes(ground: Any, rest: Any, sunlight: Any, albedo: np.ndarray) -> tup
     heights, _, _, dx, dy, _ = ground
     azimuths, elevations, weights, light = rest
     level = np.einsum("m,kmc->c", weights * np.sin(elevations), light)
-    bounce = albedo * (level + sunlight[3] * max(sunlight[0][2], 0.0))
+    bounce = albedo * (level + sunlight[3] * (max(sunlight[0][2], 0.0) * sunlight[4].share.mean()))
     stride = max(1, int(np.ceil(np.sqrt(heights.size / MOST_LIT))))
     found = np.zeros((*((size - 1) // stride + 1 for size in heights.shape), 9))
     given = (heights, dx, dy, stride, azimuths, elevations, weights, light, bounce, found)

@@ -4,11 +4,11 @@
 Tuples that functions share: `ground` is heights, pyramid, levels, dx, dy, and of the ground beyond the map its height
 under the camera and how much it bends down, per m of squared distance; `camera` u, v, z, forward, right, up (scaled to
 half the frame), width, height; `sunlight` the direction to the sun, two tangents there as long as the disc's radius,
-and irradiance, each (3,); `surface` the albedo image, its texels a cell along rows and columns, and the mean (3,), that
-of the ground beyond the map; `lit` how skylight depends on the normal (rows, columns, 9), their stride and
-what is bounced (3,); `air` the kind, the fog (6,), densities (2,), `haze.fast.FastTables`, and factors of scattered
-light around the horizon, then toward the zenith (K + 2, 3). Places are u, v in cells and z in metres, directions x, y
-(east, north), z.
+and irradiance, each (3,), then what clouds leave of it (`cloud_shade.Shade`); `surface` the albedo image, its texels a
+cell along rows and columns, and the mean (3,), that of the ground beyond the map; `lit` how skylight depends on the
+normal (rows, columns, 9), their stride and what is bounced (3,); `air` the kind, the fog (6,), densities (2,),
+`haze.fast.FastTables`, and factors of scattered light around the horizon, then toward the zenith (K + 2, 3). Places are
+u, v in cells and z in metres, directions x, y (east, north), z.
 """
 
 import math
@@ -24,6 +24,8 @@ FARTHEST = 1e9
 """How far flat ground beyond the map is followed, m."""
 NOTHING, CLEAR, FOG = 0, 1, 2
 """What the air does: nothing, aerial perspective, or a fog that looks the same from everywhere."""
+LEAST_SINE = 0.005
+"""Of the sun's elevation, below which clouds cast no shadow."""
 LIFT = 0.02
 """How far above the ground, in cells, a ray to the sun starts."""
 real = np.float32
@@ -93,6 +95,23 @@ def sun_cosine(ground, u, v, z, normal, sunlight, key):
 
 
 @part
+def cloud_share(sunlight, x, y, z):
+    """Share of the sun's light that clouds leave at x, y (m east and north of the camera) and height z, 0-1."""
+    sun, shade = sunlight[0], sunlight[4]
+    if shade.share.size == 1:
+        return shade.share[0, 0]
+    down = (z - shade.foot) / max(sun[2], LEAST_SINE)
+    u, v = (x - down * sun[0]) / shade.spacing, (y - down * sun[1]) / shade.spacing
+    fu, fv = math.floor(u), math.floor(v)
+    a, b = u - fu, v - fv
+    rows, columns = shade.share.shape
+    i, j = int(fv) % rows, int(fu) % columns
+    k, m = (i + 1) % rows, (j + 1) % columns
+    low = shade.share[i, j] * (1 - a) + shade.share[i, m] * a
+    return low * (1 - b) + (shade.share[k, j] * (1 - a) + shade.share[k, m] * a) * b
+
+
+@part
 def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key, colour, skyward, light):
     """The light of the ground that a ray x, y, z meets at t, before the air dims it, into `light` (3,).
 
@@ -105,6 +124,8 @@ def ground_light(ground, camera, sunlight, lit, surface, x, y, z, t, on_map, key
         lerped(surface[0], v * surface[1], u * surface[2], colour)
         normal = normal_at(ground[0], u, v, ground[3], ground[4])
         cosine = sun_cosine(ground, u, v, camera[2] + z * t, normal, sunlight, key)
+    if cosine > 0.0:
+        cosine *= cloud_share(sunlight, x * t, y * t, camera[2] + z * t)
     lerped(lit[0], v / lit[1], u / lit[1], skyward)
     for c in range(3):
         part = normal[0] * skyward[3 * c] + normal[1] * skyward[3 * c + 1] + normal[2] * skyward[3 * c + 2]

@@ -1,6 +1,6 @@
 """The sky with clouds that the options ask for: of a cover, or with the light that was measured."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.clouds.kinds import kind_named
@@ -38,8 +38,19 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
     )
 
 
-def with_clouds(clear: Any, options: SkyOptions) -> tuple[Any, Any, list[str]]:
-    """A `clear` physical sky's with clouds, the sun's disc, and what was decided for the user."""
+@dataclass(frozen=True)
+class Clouded:
+    """A `sky` with the clouds of a `field`, the sun's `disc` as they leave it, the clear one, what was decided."""
+
+    sky: Any
+    disc: Any
+    field: "CloudField"
+    clear_disc: Any
+    notes: list[str]
+
+
+def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
+    """A `clear` physical sky with clouds."""
     import skydome as sd
 
     required("numba", "fast", "--clouds")
@@ -48,15 +59,12 @@ def with_clouds(clear: Any, options: SkyOptions) -> tuple[Any, Any, list[str]]:
     dni, dhi = options.direct_normal_irradiance, options.diffuse_horizontal_irradiance
     if dni is None or dhi is None:
         sky = sd.CloudySky(clear, replace(field, cover=USUAL_COVER if options.cover is None else options.cover))
-        return sky, sd.SunDisc.of(sky), [told(sky.field)]
+        return Clouded(sky, sd.SunDisc.of(sky), sky.field, sd.SunDisc.of(clear), [told(sky.field)])
     with progress("looking for clouds with that light"):
         found = sd.clouds_for(dni, dhi, clear.toward, field, clear.atmosphere)
     scale = f"light: {dni:g} direct normal, {dhi:g} W m-2 diffuse; the last factors were"
-    return (
-        found.sky,
-        found.disc,
-        [told(found.field), f"{scale} {found.direct_factor:.3f} and {found.diffuse_factor:.3f}"],
-    )
+    notes = [told(found.field), f"{scale} {found.direct_factor:.3f} and {found.diffuse_factor:.3f}"]
+    return Clouded(found.sky, found.disc, found.field, sd.SunDisc.of(found.cloudy.clear), notes)
 
 
 def told(field: "CloudField") -> str:

@@ -66,12 +66,24 @@ def terrain(
     )
     haze = options.turbidity or 3.0 if own_air(scene.whole) is None else None
     grey = float(np.mean(surface, axis=tuple(range(np.ndim(surface) - 1))) @ np.asarray(SRGB.to_xyz[1]))
-    air = None if no_air else AirLight(scene.whole, None, haze, grey, meets_horizon=not own_haze)
+    field, lit, whole = clouds_over(scene)
+    air = None if no_air else AirLight(whole, None, haze, grey, meets_horizon=not own_haze)
     with progress("rendering") as report:
-        picture = render_terrain(land, view, scene.whole, air, surface, samples, curvature, progress=report)
+        picture = render_terrain(land, view, lit, air, surface, samples, curvature, progress=report, clouds=field)
     picture.save(output, exposure) if output.suffix.lower() == ".png" else picture.save(output)
     facts = facts_of(output, land, picture) | {"sky": scene.name, "notes": [*land.notes, *laid, *seen, *scene.notes]}
     show(facts, rows_of(facts), as_json)
+
+
+def clouds_over(scene: Any) -> tuple[Any, Any, Any]:
+    """The clouds between sun and land, if any; the light on land, with a clear sky's sun, and on air, with its mean."""
+    from skydome.skies.clouds.fields.shadows import ShadowMap
+
+    if scene.clouds is None or scene.disc is None:
+        return None, scene.whole, scene.whole
+    field, disc = scene.clouds.field, scene.clouds.clear_disc
+    shadows = ShadowMap.of(field, disc.sun, field.kind.period, 64)
+    return field, scene.sky + disc, scene.sky + disc * float(shadows.share.mean())
 
 
 def camera_of(camera: str, look: str, fov: float, size: str) -> Any:

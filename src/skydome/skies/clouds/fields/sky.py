@@ -159,6 +159,11 @@ class SunBehindClouds(SunlitSky):
         return self.sky.clear.haze
 
     @property
+    def far_air(self) -> Any:
+        """The clear sky's air."""
+        return self.sky.clear.far_air
+
+    @property
     def sun_distance(self) -> Any:
         """Distance of the sun, AU."""
         return self.sky.clear.sun_distance

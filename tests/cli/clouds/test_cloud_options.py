@@ -1,0 +1,48 @@
+"""--clouds, --cover and --seed: what they make, and what is refused in one line."""
+
+import pytest
+
+pytest.importorskip("numba")
+SUN = ("--sun", "200,40")
+MEASURED = (*SUN, "--clouds", "cumulus")
+
+
+def test_clouds_of_a_cover_and_a_seed(facts, tmp_path):
+    asked = ("render", *SUN, "--clouds", "altocumulus", "--cover", 0.3, "--height", 16)
+    one, other = (facts(*asked, "--seed", seed, "-o", tmp_path / f"{seed}.exr") for seed in (1, 2))
+    assert any("altocumulus, cover 0.30, 3500" in note or "altocumulus, cover 0.30" in note for note in one["notes"])
+    assert one["illuminance_lx"]["diffuse"] != other["illuminance_lx"]["diffuse"]
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ((*SUN, "--clouds", "cumulus", "--cover", 2), "cover must lie in [0, 1], got 2"),
+        ((*SUN, "--clouds", "fog"), "--clouds must be one of cumulus, stratocumulus, altocumulus, cirrus, got 'fog'"),
+        ((*SUN, "--clouds", "cumulus", "--seed", -1), "seed must"),
+        ((*SUN, "--cover", 0.4), "--cover is of clouds: give --clouds too"),
+        ((*SUN, "--seed", 3), "--seed is of clouds: give --clouds too"),
+        ((*SUN, "--clouds", "cumulus", "--model", "preetham"), "--clouds stand in the physical sky"),
+        ((*MEASURED, "--dni", 400), "need both --dni and --dhi"),
+        ((*MEASURED, "--dni", 400, "--dhi", 200, "--cover", 0.4), "--cover is found from --dni and --dhi"),
+        ((*MEASURED, "--dni", 1500, "--dhi", 100), "dni must lie in [0, 136"),
+        ((*MEASURED, "--dni", 0, "--dhi", 0), "dhi must be 1 W m-2 or more"),
+        ((*MEASURED, "--dni", 1200, "--dhi", 50), "through the clearest air here, got 1200"),
+        (("--sun", "200,1", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "2 degrees above the horizon"),
+        (("--clouds", "cumulus"), "the sun must be given"),
+    ],
+)
+def test_bad_options_are_one_line(refused, tmp_path, options, told):
+    assert told in refused("render", *options, "--height", 16, "-o", tmp_path / "none.exr")
+
+
+def test_a_shader_has_no_clouds(refused, tmp_path):
+    asked = ("shader", *SUN, "--model", "physical", "--clouds", "cumulus", "-o", tmp_path / "sky.glsl")
+    assert "cloud" in refused(*asked).lower()
+
+
+@pytest.mark.parametrize("command", ["daylight", "glare", "year", "explore", "sun", "convert"])
+def test_commands_without_clouds_refuse_them(call, command):
+    shown = call(command, "--clouds", "cumulus")
+    assert shown.exit_code == 2
+    assert "Traceback" not in shown.output
