@@ -48,6 +48,8 @@ def shader(
     language(lang)  # refused before the sky is made
     kind, order = ("", 0) if basis is None else kind_and_order(basis)
     if basis is None:
+        if options.clouds is not None:
+            raise ValueError("--clouds have no shader of their own: give --basis steerable,4 for the sky as a sum")
         require_shader(options.model, uniforms is not None)
     require_output(output, "the shader's file")
     if uniforms is not None:
