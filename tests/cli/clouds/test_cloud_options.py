@@ -2,16 +2,25 @@
 
 import pytest
 
+import skydome as sd
+from skydome.cli.options import SkyOptions
+from skydome.cli.scene import scene_of
+
 pytest.importorskip("numba")
 SUN = ("--sun", "200,40")
 MEASURED = (*SUN, "--clouds", "cumulus")
 
 
-def test_clouds_of_a_cover_and_a_seed(facts, tmp_path):
-    asked = ("render", *SUN, "--clouds", "cumulus", "--cover", 0.3, "--height", 16)
-    one, other = (facts(*asked, "--seed", seed, "-o", tmp_path / f"{seed}.exr") for seed in (1, 2))
-    assert any("cumulus, cover 0.30" in note for note in one["notes"])
-    assert one["illuminance_lx"]["diffuse"] != other["illuminance_lx"]["diffuse"]
+def test_the_clouds_are_those_asked_for():
+    scene = scene_of(SkyOptions(sun="200,40", clouds="altocumulus", cover=0.3, cloud_seed=2))
+    assert (type(scene.clouds.field.kind), scene.clouds.field.cover, scene.clouds.field.seed) == (
+        sd.Altocumulus,
+        0.3,
+        2,
+    )
+    assert any("clouds: altocumulus, cover 0.30" in note for note in scene.notes)
+    assert type(scene.sky) is sd.CloudySky
+    assert scene_of(SkyOptions(sun="200,40", clouds="cirrus", cover=0.0, no_sun=True)).disc is None
 
 
 @pytest.mark.parametrize(
