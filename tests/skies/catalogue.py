@@ -12,6 +12,7 @@ import numpy as np
 
 import skydome as sd
 from skydome.skies.all_air.spectral_nodes import NODES
+from skydome.skies.clouds.fields.kinds import Slab
 from skydome.skies.physical.precomputed.grid import SMALL
 from skydome.skies.physical.refitted import Refitted
 from skydome.skies.preetham import PreethamNumbers
@@ -154,6 +155,7 @@ PHYSICAL = {
     "precomputed": lambda sun: sd.PrecomputedScattering.by(tables(), sun),
     "hillaire": lambda sun: sd.Hillaire.by(psi(), sun),
     "physical-sky": lambda sun: sd.PhysicalSky(sun, sd.clear_air(0.15)),
+    "cloudy": lambda sun: sd.CloudySky(sd.PhysicalSky(sun), sd.CloudField(Slab(), cover=1.0, extinction=0.002)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
     "atmosphere-sun": lambda sun: sd.AtmosphereSun(sun, AIR),
     "captured-square": lambda sun: sd.CapturedSky(OVERCAST.resampled(sd.EqualAreaSquare(), 128)),
@@ -161,7 +163,7 @@ PHYSICAL = {
         sd.render(sd.HosekWilkie(sun if sun[2] > 0 else -sun, 3.0), height=64), sun
     ),
 }
-ONE_SUN = ("path-traced", "held", "captured-with-sun")
+ONE_SUN = ("path-traced", "held", "captured-with-sun", "cloudy")
 """Those that have one sun."""
 LOWEST = {
     "nishita-93": -12.0,
@@ -172,6 +174,7 @@ LOWEST = {
     "precomputed": -8.0,
     "hillaire": -4.0,
     "physical-sky": -18.0,
+    "cloudy": -18.0,
     "physical": -12.0,
     "prague": -4.0,
 }

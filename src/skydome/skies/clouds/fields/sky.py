@@ -117,11 +117,11 @@ class CloudySky(SpectralSky):
         return self.in_chunks(directions, light, lambda views: np.asarray(self.clear.radiance(views, w)), len(w))
 
     def in_chunks(self, directions: Array, incident: Incident, clear: Any, width: int) -> Array:
-        """The light of views, some at a time."""
+        """The light of views, some at a time; none where the clear sky has none."""
         views = np.asarray(checked_directions(np.asarray(directions, np.float64)))
         flat = views.reshape(-1, 3)
         out = np.zeros((len(flat), width))
-        for part in pieces(np.flatnonzero(flat[:, 2] >= 0)):
+        for part in pieces(np.flatnonzero((flat[:, 2] >= 0) & bool(self.is_day))):
             out[part] = incident.behind(clear(flat[part]), flat[part]) if self.field.cover > 0 else clear(flat[part])
         return out.reshape(*views.shape[:-1], width)
 
