@@ -22,6 +22,7 @@ def test_the_command_line_grants_more_and_less(refused, call, tmp_path):
         ),
         (("terrain", "EPW", "--sun", "1,30", "--size", "16384,16384", "-o", "a.png"), "would take 12 GB"),
         (("animate", "IN", "-o", "OUT", "--frames", "1000000000"), "at most"),
+        (("simulate", "EPW", "--workers", "99999", "-o", "OUT"), "less than or equal to 1024"),
     ],
 )
 def test_counts_that_nobody_needs(refused, tmp_path, words, message):

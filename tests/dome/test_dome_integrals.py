@@ -106,6 +106,14 @@ def test_patch_means_of_a_day_leave_the_disc_out():
     np.testing.assert_allclose(day[2], sd.patch_means(sd.HosekWilkie(suns[2, 0], turbidity=3.0)), rtol=2e-4)
 
 
+def test_patch_means_of_a_disc_alone_are_dark():
+    suns = sd.direction(np.zeros(2), np.array([0.3, 0.6]))
+    for sun, shape in ((suns[0], (145,)), (suns[:, None], (2, 145))):
+        means = sd.patch_means(sd.SunDisc(sun, direct_normal_illuminance=1e5))
+        assert means.shape == shape
+        assert not means.any()
+
+
 def test_harmonics_are_orthonormal_and_scipys():
     upper, solid_angles = hemisphere(40, 80)
     both = np.concatenate([upper, upper * [1, 1, -1]])

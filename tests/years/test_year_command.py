@@ -1,6 +1,7 @@
 """`skydome year`: files, figures, JSON, notes, and what happens with bad input and a full disk."""
 
 import json
+import shutil
 import subprocess
 import sys
 
@@ -48,15 +49,18 @@ def test_stores_open_again(files, tmp_path, ending):
 
 def test_no_folder_is_lost(files, tmp_path):
     """Only a year that skydome wrote is replaced, and on purpose; an empty folder may be filled."""
-    photos, year = tmp_path / "photos.zarr", tmp_path / "year.zarr"
+    photos, year, both = (tmp_path / f"{name}.zarr" for name in ("photos", "year", "both"))
     photos.mkdir()
     year.mkdir()
     (photos / "zarr.json").write_text('{"attributes": {"title": "mine"}}')
     assert skydome(files["wea"], "-o", year).returncode == 0
+    shutil.copytree(year, both)
+    (both / "thesis.txt").write_text("mine")
     for store, more, message in (
         (photos, [], "must be empty or a year that skydome wrote"),
         (photos, ["--overwrite"], "must be empty or a year that skydome wrote"),
         (year, [], "holds a year already"),
+        (both, ["--overwrite"], "holds more than the year that skydome wrote and stays, got thesis.txt in it"),
     ):
         before = {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
         answer = skydome(tmp_path / "nothing.epw", "-o", store, *more)  # before the weather is looked for
@@ -82,6 +86,9 @@ def test_a_full_disk_leaves_nothing(files, tmp_path, ending):
         (["EPW", "-o", "no/such/year.mtx"], "the folder to write to must exist"),
         (["EPW", "--suns", "no/such/suns.rad"], "the folder to write to must exist"),
         (["EPW", "--workers", "-1"], "--workers"),
+        (["EPW", "--workers", "3"], "--workers changes nothing without a table of sites"),
+        (["EPW", "--ascii"], "--ascii changes nothing without -o year.mtx"),
+        (["EPW", "--turbidity", "4"], "--turbidity changes nothing without --colour"),
         (["EPW", "--plot", "year.jpg"], "must end in .png, .svg or .pdf"),
         (["EPW", "--patches", "klems"], "patches must be tregenza"),
         (["EPW", "--compat", "magic"], "compat must be one of"),

@@ -157,7 +157,7 @@ class Atmosphere(NamedAirs, HeldBySky):
         return cls(parts, albedo, mars.RADIUS, mars.TOP, sun_scale=1 / mars.SUN_DISTANCE**2)
 
     def depth(self, wavelengths: ArrayLike) -> Array:
-        """Vertical optical depth of everything above the ground, (W,)."""
+        """Vertical optical depth of everything above the ground, (W,); of many airs (..., W), a plain array always."""
         return sum((part.depth(wavelengths) for part in self.constituents), np.zeros(np.size(wavelengths)))
 
     def albedo_at(self, wavelengths: ArrayLike) -> Array:
@@ -177,7 +177,7 @@ class Atmosphere(NamedAirs, HeldBySky):
     def transmittance(self, cos_zenith: ArrayLike, wavelengths: ArrayLike) -> np.ndarray:
         """Transmittance of a straight ray from the ground to space, (..., W), through spherical shells.
 
-        `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5.
+        `cos_zenith` (...,) is 0 or more. Quadrature over height to about 1e-5. A plain array, of labelled numbers too.
 
         >>> vacuum = Atmosphere((Molecules(optical_depth=0.0),))
         >>> vacuum.transmittance(0.5, [550.0]).tolist()
@@ -206,6 +206,18 @@ class Atmosphere(NamedAirs, HeldBySky):
         """ValueError where `who`, that knows smooth air alone, is given layers."""
         if self.has_layers:
             raise ValueError(f"{who} takes no layers such as a Cloud in its air; OvercastSky and DiscreteOrdinates do")
+
+    @property
+    def is_one(self) -> bool:
+        """Whether this is one air, of single numbers, not many airs of arrays."""
+        held = (self, *self.constituents, *(() if self.gases is None else (self.gases,)))
+        laws = (part.phase_law for part in self.constituents)
+        return not any(part.of_many for part in held) and all(np.ndim(law.mean_cosine([550.0])) == 1 for law in laws)
+
+    def require_one(self, who: str) -> None:
+        """ValueError where `who`, that knows one air at a time, is given arrays of numbers."""
+        if not self.is_one:
+            raise ValueError(f"{who} takes one air at a time, got arrays of its numbers; PhysicalSky takes many airs")
 
     def nodes(self, edges: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
         """Heights, m, that stand for the air, and the thickness of each: dense at the ground, or between edges."""

@@ -8,12 +8,23 @@ from typing import Any
 from skydome.cli.doors import require_output
 from skydome.cli.map_file import FileOptions
 from skydome.cli.numbers_of_light import light_facts, light_rows, notes_row
-from skydome.cli.options import SkyOptions
+from skydome.cli.options import SkyOptions, numbers
 from skydome.cli.scene import scene_of
+from skydome.ground.limits.sizes import require_count
 
 ENDINGS = (".hsr", ".exr")
 ROWS = 128
 """Of a map whose height is not given: spectra are large."""
+MOST_WAVELENGTHS = 2000
+
+
+def steps(text: str) -> list[float]:
+    """Wavelengths, nm, from FROM,TO,STEP."""
+    low, high, step = numbers(text, 3, "--wavelengths", "380,720,20")
+    if not 0 < low < high or not 0 < step <= high - low:
+        raise ValueError(f"--wavelengths must be FROM,TO,STEP with FROM < TO, got {text!r}")
+    require_count((high - low) / step + 1, MOST_WAVELENGTHS, "wavelengths")
+    return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
 
 
 def spectral_map(

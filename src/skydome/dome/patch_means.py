@@ -31,7 +31,7 @@ def patch_means(sky: Sky, division: "str | Patches" = "tregenza", tolerance: flo
     require("tolerance", tolerance, TOLERANCE)
     require_one("tolerance", tolerance)
     cut = patches(division)
-    parts = discs_and_rest(sky)[1]
+    parts = discs_and_rest(sky)[1] or [0.0 * sky]
     every = np.arange(cut.count)
     grid = 4
     before, means = (sampled(parts, cut, every, n) for n in (2, grid))

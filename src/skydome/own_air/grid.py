@@ -201,7 +201,7 @@ def simulate(
         return len(missing)
     from distributed import as_completed
 
-    with cluster_client("a simulation by many workers", scheduler, workers) as client:
+    with cluster_client("a simulation by many workers", scheduler, min(workers, len(grid.pieces))) as client:
         prepared(grid, path)
         missing = [piece for piece in grid.pieces if not is_there(path, piece)]
         jobs = client.map(lambda piece: write_piece(grid, str(path.resolve()), piece), missing, pure=False, retries=3)

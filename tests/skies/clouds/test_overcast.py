@@ -117,6 +117,35 @@ def test_solvers_of_smooth_air_refuse_layers(kind: type[sd.Sky]) -> None:
         kind(SUN, sd.Atmosphere((sd.Molecules(), sd.Cloud(5.0))))  # type: ignore[call-arg]
 
 
+AIRS = {
+    "depths": sd.Atmosphere.standard(aerosol_depth=np.array([0.1, 0.2])),
+    "albedos": sd.Atmosphere.standard(albedo=[0.1, 0.2]),
+    "asymmetries": sd.Atmosphere.standard(asymmetry=np.array([0.6, 0.7])),
+    "water": sd.Atmosphere.standard(water=np.array([1.0, 2.0])),
+}
+ONE_AIR = (
+    sd.Nishita93,
+    sd.Nishita96,
+    sd.Klassen87,
+    sd.DiscreteOrdinates,
+    sd.PathTraced,
+    sd.Hillaire,
+    sd.PrecomputedScattering,
+)
+
+
+@pytest.mark.parametrize("numbers", AIRS)
+def test_solvers_take_one_air_at_a_time(numbers: str) -> None:
+    air = AIRS[numbers]
+    for kind in ONE_AIR:
+        with pytest.raises(ValueError, match=f"{kind.__name__} takes one air at a time, got arrays"):
+            kind(SUN, air)
+    for of in (sd.ScatteringTables.of, sd.MultipleScatteringTable.of):
+        with pytest.raises(ValueError, match="takes one air at a time, got arrays"):
+            of(air, [550.0])
+    assert sd.PhysicalSky(SUN, air).radiance(sd.ZENITH, [550.0]).shape == (2, 1)
+
+
 def test_a_held_sky_under_cloud_is_the_sky_itself() -> None:
     sky = sd.DiscreteOrdinates(SUN, sd.Atmosphere((sd.Molecules(), sd.Cloud(4.0))), streams=32)
     bands = np.array([450.0, 550.0, 650.0])

@@ -5,14 +5,13 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.year import steps
 from skydome.cli.doors import progress
 from skydome.cli.frames import Frames, frame_facts, is_dark
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder, order_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
-from skydome.cli.spectral_map import spectral_map, spectral_rows
+from skydome.cli.spectral_map import spectral_map, spectral_rows, steps
 
 
 @taking(SkyOptions, FileOptions)

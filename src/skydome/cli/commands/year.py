@@ -7,14 +7,16 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.doors import STORE, progress, refuse_idle, require_output
-from skydome.cli.options import AsJson, numbers
+from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
+from skydome.cli.spectral_map import steps
 from skydome.ground.extras import required
-from skydome.ground.limits.sizes import require_count
+from skydome.ground.limits.sizes import MOST_WORKERS
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
-MOST_WORKERS, MOST_WAVELENGTHS = 1024, 2000
+PLAIN = {"workers": 2, "turbidity": 3.0}
+"""Defaults of options that may change nothing."""
 
 
 def year(
@@ -66,6 +68,13 @@ def year(
     require_outputs(output, suns, plot)
     check_extras(output, plot)
     sites = is_sites(weather)
+    if not sites:
+        alone: dict[str, Any] = {"weather_folder": weather_folder, "scheduler": scheduler, "workers": workers}
+        refuse_idle(alone, dict.fromkeys(alone) | PLAIN, "without a table of sites")
+    matrix = output is not None and output.suffix.lower() == ".mtx"
+    refuse_idle({"ascii": ascii_text and not matrix}, {"ascii": False}, "without -o year.mtx")
+    refuse_idle({"sun_in_patch": sun_in_patch and not matrix}, {"sun_in_patch": False}, "without -o year.mtx")
+    refuse_idle({"turbidity": turbidity if colour is None else 3.0}, PLAIN, "without --colour")
     if output is not None and is_store(output) and not sites:
         from skydome.years.stores.stores import require_free
 
@@ -110,15 +119,6 @@ def check_extras(output: Path | None, plot: Path | None) -> None:
         required(ENDINGS[output.suffix.lower()], "year", f"a year as {output.suffix}")
     if plot is not None:
         required("matplotlib", "plot", "a plot")
-
-
-def steps(text: str) -> list[float]:
-    """Wavelengths, nm, from FROM,TO,STEP."""
-    low, high, step = numbers(text, 3, "--wavelengths", "380,720,20")
-    if not 0 < low < high or not 0 < step <= high - low:
-        raise ValueError(f"--wavelengths must be FROM,TO,STEP with FROM < TO, got {text!r}")
-    require_count((high - low) / step + 1, MOST_WAVELENGTHS, "wavelengths")
-    return [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
 
 
 def minutes(text: str | None) -> float | str | None:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from skydome.cli.doors import progress
+from skydome.cli.doors import progress, refuse_idle
 from skydome.cli.learning.physical_networks import (
     BATCHES,
     OVERCAST,
@@ -15,6 +15,7 @@ from skydome.cli.learning.physical_networks import (
 )
 from skydome.cli.options import AsJson
 from skydome.cli.printing import print_json, show_facts
+from skydome.ground.limits.sizes import MOST_WORKERS
 
 FORMULA = "formula"
 """What --for calls the grid that `skydome fit` reads."""
@@ -30,7 +31,7 @@ def simulate(
     ] = FORMULA,
     batches: Annotated[int, Option(min=1, help="Of 16 random airs, or 32 clouds, each.")] = BATCHES,
     seed: Annotated[int, Option(min=0, help="Of the random airs.")] = 1,
-    workers: Annotated[int, Option(min=0, help="Processes on this machine; 0: this one alone.")] = 0,
+    workers: Annotated[int, Option(min=0, max=MOST_WORKERS, help="Processes on this machine; 0: this one alone.")] = 0,
     scheduler: Annotated[
         str | None, Option(metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
     ] = None,
@@ -44,12 +45,14 @@ def simulate(
     if purpose in LESSONS:
         if grid is not None:
             raise ValueError(f"--for {purpose} draws its airs at random and takes no grid, got {grid}")
+        refuse_idle({"workers": workers, "scheduler": scheduler}, {"workers": 0, "scheduler": None}, "without a grid")
         show_facts(LESSONS[purpose](output, batches, seed), as_json)
         return
     if purpose != FORMULA:
         raise ValueError(f"--for must be one of {FORMULA}, {', '.join(LESSONS)}, got {purpose!r}")
     if grid is None:
         raise ValueError("a grid must be named, such as grid.toml (an empty file: Hosek and Wilkie's whole grid)")
+    refuse_idle({"batches": batches, "seed": seed}, {"batches": BATCHES, "seed": 1}, "for a grid")
     from skydome.ground.files.leftovers import sweep
     from skydome.ground.writing import require_place
     from skydome.own_air.grid import Grid

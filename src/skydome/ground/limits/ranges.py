@@ -157,3 +157,8 @@ def lone_fields(kind: type[Bounded]) -> tuple[tuple[str, bool], ...]:
 
 class HeldBySky(Bounded):
     """A dataclass that a sky holds, as its air: arrays among its numbers count as the sky's own."""
+
+    @property
+    def of_many(self) -> bool:
+        """Whether one of its bounded numbers is an array."""
+        return any(np.ndim(getattr(self, name)) for name, *_ in bounded_fields(cast(Any, type(self))))

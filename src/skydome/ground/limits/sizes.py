@@ -8,6 +8,9 @@ GIGABYTE = 1 << 30
 GRANTED: ContextVar[int] = ContextVar("granted memory", default=4 * GIGABYTE)
 """Bytes that one piece of work may take in the context that asks for it."""
 
+MOST_WORKERS = 1024
+"""Processes that one piece of work may start on this machine."""
+
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
 

@@ -68,6 +68,7 @@ class PhysicalSky(StokesSky):
     bends_light: ClassVar[bool] = True
     knows_energy: ClassVar[bool] = True
     of_all_hours: ClassVar[bool] = True
+    takes_many_airs: ClassVar[bool] = True
     numbers_of_air: ClassVar = NUMBERS
     nodes_of_energy: ClassVar = (16, 32)  # rings and columns of the dome that its energy is summed over
     source: ClassVar[str] = "single scattering by quadrature, higher orders by networks taught in round shells"

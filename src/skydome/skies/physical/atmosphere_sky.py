@@ -24,12 +24,16 @@ class AtmosphereSky(SunlitSky, SpectralSky):
     kinds: ClassVar = {"atmosphere": (Atmosphere, "Atmosphere.from_turbidity(3.0)")}
     takes_layers: ClassVar[bool] = False
     """Whether the air may have edges, as a layer of cloud has."""
+    takes_many_airs: ClassVar[bool] = False
+    """Whether the air's numbers may be arrays (...,)."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
         require_kind(self.atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
         if not self.takes_layers:
             self.atmosphere.require_no_layers(type(self).__name__)
+        if not self.takes_many_airs:
+            self.atmosphere.require_one(type(self).__name__)
 
     def once_per_phase(self, views: np.ndarray, wavelengths: np.ndarray) -> Array | None:
         """What each constituent scatters once toward views (D, 3), per phase function, for a sun of irradiance 1,

@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from skydome.ground.extras import required
+from skydome.ground.limits.sizes import MOST_WORKERS, require_count
 
 PATIENCE = 10
 """Seconds in which a scheduler must answer."""
@@ -14,7 +15,8 @@ PATIENCE = 10
 def cluster_client(purpose: str, scheduler: str | None, workers: int) -> Iterator[Any]:
     """A client of the scheduler at an address, or of new single-threaded worker processes here.
 
-    ConnectionError where no scheduler answers in time, ValueError for an address that is none or fewer than 1 worker.
+    ConnectionError where no scheduler answers in time, ValueError for an address that is none, and unless there are
+    1 to `MOST_WORKERS` workers.
     """
     required("dask.distributed", "scale", purpose)
     if scheduler is None:
@@ -22,6 +24,7 @@ def cluster_client(purpose: str, scheduler: str | None, workers: int) -> Iterato
 
         if workers < 1:
             raise ValueError(f"workers must be 1 or more, got {workers}")
+        require_count(workers, MOST_WORKERS, "workers")
         choices = {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
         with LocalCluster(**choices) as local, Client(local) as client:
             yield client

@@ -109,8 +109,15 @@ def require_free(path: str | os.PathLike[str], overwrite: bool = False) -> None:
         return
     if not is_year(folder):
         raise FileExistsError(f"the folder to write must be empty or a year that skydome wrote, got {path}")
+    if others := [entry.name for entry in sorted(folder.iterdir()) if not is_of_store(entry)]:
+        raise FileExistsError(f"{path} holds more than the year that skydome wrote and stays, got {others[0]} in it")
     if not overwrite:
-        raise FileExistsError(f"{path} holds a year already: choose another name, or overwrite it on purpose")
+        raise FileExistsError(f"{path} holds a year already: choose another name, or give --overwrite")
+
+
+def is_of_store(entry: Path) -> bool:
+    """True for what a Zarr store of one level holds: its own record, and arrays with theirs."""
+    return entry.name == "zarr.json" or (entry / "zarr.json").is_file()
 
 
 def is_year(folder: Path) -> bool:

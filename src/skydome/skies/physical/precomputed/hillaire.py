@@ -53,6 +53,7 @@ class MultipleScatteringTable:
         """The table at wavelengths (W,) nm."""
         require_kind(atmosphere, Atmosphere, "atmosphere", "Atmosphere.standard()")
         atmosphere.require_no_layers("MultipleScatteringTable")
+        atmosphere.require_one("MultipleScatteringTable")
         w = checked_wavelengths(wavelengths)
         table = ColumnTable.of(atmosphere, 144, 128)
         heights, suns = np.linspace(0, atmosphere.height, HEIGHTS), np.linspace(-1, 1, SUNS)

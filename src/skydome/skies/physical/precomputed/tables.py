@@ -80,6 +80,7 @@ class ScatteringTables:
         require_kind(sizes, Sizes | None, "sizes", "Sizes()")
         require("lowest_sun", lowest_sun, SUNS)
         atmosphere.require_no_layers("ScatteringTables")
+        atmosphere.require_one("ScatteringTables")
         require("orders", orders, ORDERS)
         w, chosen = checked_wavelengths(wavelengths), sizes or Sizes()
         steps = Orders(shell_of(atmosphere, lowest_sun), chosen, medium(atmosphere, w, chosen, lowest_sun))
