@@ -1,6 +1,6 @@
 """Light through dusk against published tables, and what the night costs.
 
-python benchmarks/night.py light | tracer | speed | first
+python benchmarks/night.py light | zenith | tracer | speed | first
 """
 
 import sys
@@ -23,6 +23,10 @@ SEIDELMANN = (
 """Elevations between which log10 of lx is a polynomial of the elevation over 90 degrees (Seidelmann 1992)."""
 
 
+FAINT = ("airglow", "zodiacal light", "starlight")
+"""The faint glows by their names in `sky_at`."""
+
+
 def seidelmann(elevation: float) -> float:
     """Illuminance by the table, lx."""
     for upper, lower, powers in SEIDELMANN:
@@ -43,9 +47,40 @@ def light() -> None:
     steps = np.diff(np.log(dusk[0.1].total))
     print(f"largest fall within a minute {1 - np.exp(steps.min()):.3f} at {heights[steps.argmin()]:.1f} degrees")
     print("at the end:", {name: f"{part[-1]:.2g}" for name, part in dusk[0.1].parts.items()})
-    for name in ("airglow", "zodiacal light", "starlight"):
+    for name in FAINT:
         whole = sd.sky_at(PLACE, minutes[-1], only=name)
         print(f"{name}: zenith {float(sd.surface_magnitude(whole.luminance(sd.ZENITH))):.2f} mag arcsec-2")
+
+
+def zenith() -> None:
+    """Dark zeniths on the night of each new moon of 2026, two hours and two levels of the sun."""
+    new_moons = (
+        "01-18",
+        "02-17",
+        "03-19",
+        "04-17",
+        "05-16",
+        "06-15",
+        "07-14",
+        "08-12",
+        "09-11",
+        "10-10",
+        "11-09",
+        "12-09",
+    )
+    times = [np.datetime64(f"2026-{day}T21:00") + np.timedelta64(hours, "h") for day in new_moons for hours in (0, 3)]
+    for latitude in (45.0, -24.6):
+        place = sd.Place(latitude, 0.0, altitude=2000)
+        dark = [time for time in times if sd.sun_direction(place, time)[2] < np.sin(np.radians(-18.5))]
+        for flux in (70.0, 100.0):
+            skies = [sd.sky_at(place, time, solar_flux=flux) for time in dark]
+            glows = sum(np.stack([sky[name].luminance(sd.ZENITH) for sky in skies]) for name in FAINT)
+            found = sd.surface_magnitude(glows)
+            print(
+                f"latitude {latitude:g}, flux {flux:g}, {len(dark)} hours: {found.min():.2f} to {found.max():.2f}",
+                end="",
+            )
+            print(f", median {np.median(found):.2f} mag arcsec-2")
 
 
 def tracer() -> None:
@@ -88,4 +123,4 @@ def first() -> None:
 
 
 if __name__ == "__main__":
-    {"light": light, "tracer": tracer, "speed": speed, "first": first}[sys.argv[1]]()
+    {"light": light, "zenith": zenith, "tracer": tracer, "speed": speed, "first": first}[sys.argv[1]]()
