@@ -63,6 +63,8 @@ def test_places():
     [
         (lambda: turbidity.from_meteorological_range(-1.0), "meteorological range must lie in"),
         (lambda: turbidity.from_meteorological_range(1e6), "meteorological range must lie in"),
+        (lambda: turbidity.meteorological_range(0.5), r"turbidity must lie in \[1, 64\], got 0.5"),
+        (lambda: turbidity.meteorological_range(np.nan), r"turbidity must lie in \[1, 64\], got nan"),
         (lambda: turbidity.from_linke(0.0), "Linke's factor must be positive"),
         (lambda: turbidity.of_place(95.0, 0.0, 6), "latitude and longitude"),
         (lambda: turbidity.of_place(45.0, 0.0, 13), "month must be"),

@@ -16,6 +16,13 @@ spec.loader.exec_module(catalogue)
 VIEWS = sd.direction(np.linspace(0, 6, 40), np.linspace(0.15, 1.45, 40))
 
 
+def test_another_kind_of_file_is_refused(tmp_path):
+    path = tmp_path / "scans.nc"
+    path.write_bytes(b"hello world" * 100)
+    with pytest.raises(ValueError, match=r"^.*scans\.nc is not a netCDF-3 file of measured scans$"):
+        read_scans(path)
+
+
 def test_samples_come_back_and_a_smooth_sky_lies_between():
     model = sd.Daylight(sd.CIE(sd.direction(3.0, 1.0), 8, illuminance=20_000.0))
     scan = catalogue.scan_of(model)

@@ -245,6 +245,6 @@ def test_visibility_is_the_other_way_to_say_turbidity(facts, when, refused):
     for words, message in (
         (("--visibility", "20km", "--turbidity", "3"), "give one of them"),
         (("--visibility", "400km"), "--visibility must lie in"),
-        (("--visibility", "far"), "such as 20km"),
+        (("--visibility", "far"), "for '--visibility': a visibility is a distance such as 20km"),
     ):
         assert message in refused("light", *when, "--model", "preetham", *words)

@@ -47,6 +47,17 @@ def test_a_network_of_ones_own_and_its_bands(tmp_path):
     assert "own.safetensors, which is damaged or not a network file" in done.stderr
 
 
+def test_a_function_of_the_sun_asks_for_none(call, tmp_path):
+    """The sun is the code's argument: text and numbers are those under any sun."""
+    asked = ("shader", "--model", "neural-hosek-wilkie", "--free-sun", "--lang", "c")
+    for name, words in {"none": (), "some": ("--sun", "10,70")}.items():
+        written = ("--uniforms", str(tmp_path / f"{name}.json"), "-o", str(tmp_path / f"{name}.c"))
+        assert call(*asked, *words, *written).exit_code == 0
+    for ending in ("json", "c"):
+        assert (tmp_path / f"none.{ending}").read_text() == (tmp_path / f"some.{ending}").read_text()
+    assert call("shader", "--model", "preetham", "--free-sun").exit_code == 2
+
+
 def test_any_sky_in_a_basis():
     source = run("--model", "cie-intermediate", "--basis", "gaussians,16", "--lang", "c").stdout
     assert source.count("expf(") == 3 * 19

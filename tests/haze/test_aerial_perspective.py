@@ -436,6 +436,22 @@ def test_one_density_is_exact_on_level_rays_and_by_quadrature_of_its_own():
         np.testing.assert_allclose(own, exact, rtol=1e-9)
 
 
+@pytest.mark.parametrize("wavelengths", [None, [450.0, 650.0]])
+def test_the_sun_alone_lights_the_air(wavelengths):
+    """As in Hoffman and Preetham's paper: what the sun adds to a sky's haze is what it gives without the sky."""
+    sky, disc = sd.HosekWilkie(SUN, turbidity=3.0), sd.SunDisc(SUN, turbidity=3.0)
+    views = sd.direction(azimuth=np.array([0.0, 200.0]) * deg, elevation=5 * deg)
+
+    def veil(light):
+        method = sd.HoffmanPreetham()
+        return aerial_perspective(
+            light, 5000.0, views, wavelengths=wavelengths, turbidity=3.0, method=method
+        ).inscattered
+
+    assert (veil(disc) > 0).all()
+    np.testing.assert_allclose(veil(disc), veil(sky + disc) - veil(sky), rtol=1e-9)
+
+
 def test_preethams_light_reaches_as_far_as_table_2():
     """380-780 nm under sky and sun, as smooth beyond 720 nm, where the published limb darkening ends, as before it."""
     sky = sd.Preetham(SUN, 4.0) + sd.PreethamSun(SUN, 4.0)

@@ -15,14 +15,12 @@ from skydome.air.cross_sections import STANDARD_PRESSURE, rayleigh_depth
 from skydome.air.gases.gases import STANDARD_WATER, Gases
 from skydome.air.phase_laws import Haze, HenyeyGreenstein
 from skydome.air.profiles import STRATOSPHERIC_LAYER, Exponential
-from skydome.air.turbidity import from_linke, from_meteorological_range, meteorological_range
+from skydome.air.turbidity import TURBIDITY, from_linke, from_meteorological_range, meteorological_range
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import floating, is_numpy, namespace
 from skydome.ground.labels import keeps_labels
 from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.light.spectrum import Spectrum
-
-TURBIDITY = Range(1.0, 64.0)
 
 BACKGROUND_DEPTH = 0.006
 """Optical depth at 550 nm of the stratosphere's aerosol between great eruptions."""

@@ -11,6 +11,9 @@ from skydome.air.transmittance import angstrom_beta
 from skydome.ground.arrays import Array, floating, namespace
 from skydome.ground.extras import required
 from skydome.ground.labels import keeps_labels
+from skydome.ground.limits.ranges import Range, require
+
+TURBIDITY = Range(1.0, 64.0)
 
 CONTRAST = 0.02
 """The least contrast that an observer sees (Preetham 1999, section 2.1)."""
@@ -23,11 +26,13 @@ GAS_THICKNESS = 0.008735 * 0.55**-4.08
 def meteorological_range(turbidity: Array) -> Array:
     """How far a black target is seen against the horizon, m, same shape: ln(1 / 0.02) over the extinction at 550 nm.
 
-    The curve of Preetham 1999, Figure 3, computed: its haze (A.3) and molecules (A.3) at the ground.
+    The curve of Preetham 1999, Figure 3, computed: its haze (A.3) and molecules (A.3) at the ground. ValueError for a
+    turbidity outside 1-64.
 
     >>> [round(float(meteorological_range(t)) / 1000, 1) for t in (2.0, 4.0, 6.0)]
     [42.1, 15.6, 9.6]
     """
+    require("turbidity", turbidity, TURBIDITY)
     turbidity = floating(turbidity)
     haze = haze_total([550.0], turbidity)[..., 0]
     return -np.log(CONTRAST) / (haze + float(gas_total([550.0])[0]))

@@ -76,10 +76,14 @@ def read_scans(path: str | PathLike[str], from_sun: float = 0.0) -> list[Scan]:
 
     `xyz` (capture, direction, 3), `direction_azimuth`, `sample_sun_zenith`, `sample_sun_azimuth`, `valid` (capture,
     direction), `direction_zenith` (direction), degrees; `sample_time`. Azimuths must already be corrected. Samples
-    within `from_sun` radians of the sun are left out. ValueError where a variable is missing.
+    within `from_sun` radians of the sun are left out. ValueError for another kind of file, or where a variable is missing.
     """
     netcdf_file = required("scipy.io", "captures", "measured scans").netcdf_file
-    with netcdf_file(str(path), "r", mmap=False) as file:
+    try:
+        opened = netcdf_file(str(path), "r", mmap=False)
+    except (TypeError, ValueError):
+        raise ValueError(f"{path} is not a netCDF-3 file of measured scans") from None
+    with opened as file:
         names = (
             "xyz",
             "direction_azimuth",

@@ -68,7 +68,7 @@ class Commands(TyperGroup):
             try:
                 code = super().main(words, *arguments, **(choices | {"standalone_mode": False}))
             except UsageError as error:
-                raise ValueError(error.format_message()) from error
+                raise ValueError(error.format_message().replace(": Value error, ", ": ")) from error
         sys.exit(code if isinstance(code, int) else 0)
 
 

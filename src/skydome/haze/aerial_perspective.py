@@ -85,8 +85,8 @@ class AirLight(Bounded):
 
     @property
     def without_disc(self) -> Sky:
-        """The sky without the sun's disc."""
-        rest = self.parts[1]
+        """The sky without the sun's disc, black where that is all."""
+        rest = self.parts[1] or [self.sky * 0.0]
         return rest[0] if len(rest) == 1 else combine(rest, [1.0] * len(rest))
 
     @cached_property

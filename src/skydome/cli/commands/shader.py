@@ -2,6 +2,7 @@
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,6 +16,8 @@ from skydome.cli.scene import scene_of
 if TYPE_CHECKING:
     import numpy as np
 
+ANY_SUN = "180,45"
+"""Of a network whose code takes the sun as an argument: neither text nor numbers depend on it."""
 TEXELS = 256
 """In a row of the texture that has the numbers."""
 
@@ -54,6 +57,8 @@ def shader(
     require_output(output, "the shader's file")
     if uniforms is not None:
         require_output(uniforms, "the numbers' file", (".json", ".bin"))
+    if free_sun and (options.sun, options.place, options.time) == (None, None, None):
+        options = replace(options, sun=ANY_SUN)
     scene = scene_of(options)
     sky: sd.Sky = scene.sky if basis is None else sd.SkyBasis.fit(scene.sky, kind, order)
     if disc and scene.disc is not None:

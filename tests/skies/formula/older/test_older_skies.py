@@ -98,6 +98,17 @@ def test_pokrowskis_form_in_the_numbers_of_grant():
     assert float(sky.luminance(sun)) == pytest.approx(float(sky.luminance(beside)), rel=0.05)
 
 
+@pytest.mark.parametrize("luminance", [np.nan, -1.0, [3000.0, np.inf]])
+def test_takagis_colour_of_no_luminance_is_refused(luminance):
+    with pytest.raises(ValueError, match=r"luminance must lie in \[0, 1e\+15\]"):
+        sd.takagi_colour_temperature(luminance)
+
+
+def test_takagis_colour_ends_where_the_page_says():
+    assert float(sd.takagi_colour_temperature(1490.0)) == pytest.approx(25_000)
+    assert float(sd.takagi_colour_temperature(1510.0)) < 24_900
+
+
 def test_takagis_colour_is_the_daylight_of_its_temperature():
     for luminance in (1500.0, 3000.0, 8000.0, 50_000.0):
         sky = sd.TakagiDaylight(sd.Uniform(luminance))
