@@ -76,7 +76,7 @@ def read_scans(path: str | PathLike[str], from_sun: float = 0.0) -> list[Scan]:
 
     `xyz` (capture, direction, 3), `direction_azimuth`, `sample_sun_zenith`, `sample_sun_azimuth`, `valid` (capture,
     direction), `direction_zenith` (direction), degrees; `sample_time`. Azimuths must already be corrected. Samples
-    within `from_sun` radians of the sun are left out. ValueError for another kind of file, or where a variable is missing.
+    within `from_sun` radians of the sun are left out. ValueError for other files and where a variable is missing.
     """
     netcdf_file = required("scipy.io", "captures", "measured scans").netcdf_file
     try:
