@@ -7,6 +7,7 @@
 - models            The sky models by name, which class, which options it takes, its usual level
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
+- sums_of_planes    The numbers of a year on planes, sums of each plane, as JSON and as rows for people
 - map_file          The file of a map, what the options ask of it, its writing, and what is said of it
 - map_order         What one map is to be, with the scene beside it; its making, and what is said of it
 - spectral_map      A map of spectra: what it may be asked, its making, and what is said of it

@@ -6,12 +6,13 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.planes_of_year import YearOptions, tilt_and_azimuth, year_on_planes, year_rows
+from skydome.cli.commands.planes_of_year import YearOptions, tilt_and_azimuth, year_on_planes
 from skydome.cli.doors import progress, refuse_idle
 from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
+from skydome.cli.sums_of_planes import year_rows
 
 Planes = Annotated[
     list[str] | None,
