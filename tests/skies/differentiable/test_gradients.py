@@ -91,7 +91,9 @@ def test_illuminance(make, normal):
     result = value(*leaves)
     assert result.shape == ()
     assert result.dtype == torch.float64
-    np.testing.assert_allclose(result.item(), value(*LEAVES[:3]), rtol=1e-10)
+    plain = make(sd.direction(*LEAVES[1:3]), LEAVES[0])
+    held = plain.for_maps is not plain  # NumPy's sum is over a table of the sky
+    np.testing.assert_allclose(result.item(), value(*LEAVES[:3]), rtol=1e-5 if held else 1e-10)
     result.backward()
     for k, leaf in enumerate(leaves):
         got = 0.0 if leaf.grad is None else leaf.grad.item()
