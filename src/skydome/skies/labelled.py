@@ -1,7 +1,7 @@
 """Light with labels: where a sky's parameters or the directions are labelled (pandas, xarray), its light is too."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import fields, replace
+from dataclasses import Field, fields, is_dataclass, replace
 from functools import wraps
 from inspect import isfunction, signature
 from typing import Any, ClassVar, NamedTuple, TypeVar, cast
@@ -138,10 +138,15 @@ def directions_of(value: LabelledLight | HeldBySky) -> tuple[str, ...]:
     return value.directions_held if isinstance(value, LabelledLight) else ()
 
 
+def parameters_of(value: LabelledLight | HeldBySky) -> tuple[Field[Any], ...]:
+    """The fields of a sky, air or law; none of a law that somebody wrote without a dataclass."""
+    return fields(value) if is_dataclass(value) else ()
+
+
 def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
     """The labelled parameters of a sky and its air, and how many of their last axes are not labels of the light."""
     if isinstance(value, (LabelledLight, HeldBySky)):
-        for item in fields(value):  # type: ignore[arg-type]  # not what the sky keeps beside them: it may hold the sky
+        for item in parameters_of(value):  # not what the sky keeps beside them: it may hold the sky
             yield from labelled_parts(getattr(value, item.name), int(item.name in directions_of(value)))
     elif isinstance(value, (tuple, list)):
         for part in value:
@@ -154,7 +159,7 @@ def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Ki
     """A sky, or a parameter of one, with `change(array, core)` in place of its arrays; itself where nothing changes."""
     result: Any
     if isinstance(value, (LabelledLight, HeldBySky)):
-        held = {item.name: getattr(value, item.name) for item in fields(value) if item.init}  # type: ignore[arg-type]
+        held = {item.name: getattr(value, item.name) for item in parameters_of(value) if item.init}
         new = {name: changed(old, change, int(name in directions_of(value))) for name, old in held.items()}
         moved = {name: part for name, part in new.items() if part is not held[name]}
         return cast(Kind, replace(value, **moved) if moved else value)  # type: ignore[type-var]
