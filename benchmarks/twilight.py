@@ -10,18 +10,21 @@ above the sun's horizon, zenith, the same opposite) at 450, 550 and 650 nm, aero
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
 import skydome as sd
-from skydome.own_air.all_air.shells import PROFILES, RADIUS, TOP
+from skydome.own_air.all_air.shells import RADIUS, TOP
 from skydome.skies.all_air.taught_air import Optics, optics
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
+from judge_sasktran2 import fill
 
 WAVELENGTHS = np.array([450.0, 550.0, 650.0])
 AIR = replace(sd.clear_air(0.1, ozone=330, albedo=0.2), gases=None)
 ELEVATIONS, AZIMUTHS = np.radians([10.0, 30.0, 90.0, 30.0, 10.0]), np.radians([0.0, 0.0, 0.0, 180.0, 180.0])
 SUNS = (-2.0, -4.0, -6.0, -8.0)
-DEPOLARISATION, HIGH_ASYMMETRY = 0.0279, 0.7
 
 
 def judged(air: Optics, sun: float, suns: int = 13, levels: int = 51, points: int = 302) -> np.ndarray:
@@ -40,27 +43,8 @@ def judged(air: Optics, sun: float, suns: int = 13, levels: int = 51, points: in
     for elevation, azimuth in zip(ELEVATIONS, AZIMUTHS, strict=True):
         rays.add_ray(sk.SolarAnglesObserverLocation(sine, float(azimuth), float(np.sin(elevation)), 0.1))
     given = sk.Atmosphere(shells, config, numwavel=len(WAVELENGTHS), calculate_derivatives=False)
-    fill(given, air, heights)
+    fill(given, air, heights, polarised=False)
     return np.asarray(sk.Engine(config, shells, rays).calculate_radiance(given)["radiance"])[..., 0].T
-
-
-def fill(given, air: Optics, heights: np.ndarray) -> None:
-    """Extinction, albedos and moments of the phase function, ground."""
-    density = np.stack([part.density(heights) for part in PROFILES])
-    density /= np.trapezoid(density, heights, axis=1)[:, None]
-    depths = np.stack([air.molecules, air.aerosol, air.stratospheric, air.absorbers])
-    scattered = np.stack([air.molecules, air.aerosol * air.aerosol_albedo, air.stratospheric])
-    extinction, each = np.einsum("kh,kn->hn", density, depths), np.einsum("kh,kn->khn", density[:3], scattered)
-    total = each.sum(axis=0)
-    given.storage.total_extinction[:], given.storage.ssa[:] = extinction, np.clip(total / extinction, 0, 1)
-    share, orders = each / np.maximum(total, 1e-300), np.arange(given.leg_coeff.a1.shape[0])
-    low = (2 * orders[:, None] + 1) * air.asymmetry ** orders[:, None]
-    high = (2 * orders + 1) * HIGH_ASYMMETRY**orders
-    molecules = (orders == 0) + (orders == 2) * (1 - DEPOLARISATION) / (2 + DEPOLARISATION)
-    given.leg_coeff.a1[:] = (
-        molecules[:, None, None] * share[0] + np.einsum("ln,hn->lhn", low, share[1]) + high[:, None, None] * share[2]
-    )
-    given.surface.albedo[:] = air.ground
 
 
 def main(kind: str) -> None:

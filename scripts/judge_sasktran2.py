@@ -75,8 +75,8 @@ def judged(
     return np.asarray(sk.Engine(config, round_air, rays).calculate_radiance(given)["radiance"]).transpose(1, 0, 2)
 
 
-def fill(given: Any, air: Optics, heights: np.ndarray) -> None:
-    """Extinction, albedos and moments of the scattering matrix, ground."""
+def fill(given: Any, air: Optics, heights: np.ndarray, polarised: bool = True) -> None:
+    """Extinction, albedos, ground, and moments of the scattering matrix, or of the phase function alone."""
     density = np.stack([part.density(heights) for part in PROFILES])
     density /= np.trapezoid(density, heights, axis=1)[:, None]
     depths = np.stack([air.molecules, air.aerosol, air.stratospheric, air.absorbers])
@@ -94,10 +94,11 @@ def fill(given: Any, air: Optics, heights: np.ndarray) -> None:
 
     second = (orders == 2) * purity
     given.leg_coeff.a1[:] = mixed((orders == 0) + second / 2, low, high)
-    given.leg_coeff.a2[:] = mixed(3 * second, low * spin, high * spin)
-    given.leg_coeff.a3[:] = mixed(0 * second, low * spin, high * spin)
-    given.leg_coeff.b1[:] = mixed(np.sqrt(6) / 2 * second, 0 * low, 0 * high)
     given.surface.albedo[:] = air.ground
+    if polarised:
+        given.leg_coeff.a2[:] = mixed(3 * second, low * spin, high * spin)
+        given.leg_coeff.a3[:] = mixed(0 * second, low * spin, high * spin)
+        given.leg_coeff.b1[:] = mixed(np.sqrt(6) / 2 * second, 0 * low, 0 * high)
 
 
 def main() -> None:

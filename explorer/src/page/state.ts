@@ -3,8 +3,9 @@
 import { isZone } from "../sun/clock";
 import { AEROSOLS } from "../skies/physical/airs";
 import { modelNamed } from "../skies/catalogue";
+import type { Numbers } from "../skies/model";
 
-export interface State {
+export interface State extends Numbers {
   model: string;
   /** The model beside it, "" for none. */
   beside: string;
@@ -18,16 +19,6 @@ export interface State {
   minutes: number;
   /** Azimuth and elevation, degrees, of a sun set by hand. */
   sun: [number, number] | null;
-  turbidity: number;
-  albedo: number;
-  dni: number;
-  dhi: number;
-  dew: number;
-  letters: number[];
-  lux: number;
-  share: number;
-  clearness: number;
-  cloud: number;
   /** Kind of aerosol, and Dobson units of ozone, of the physical sky. */
   aerosol: string;
   ozone: number;

@@ -5,12 +5,8 @@ import type { Moon } from "../sun/moon";
 import type { Air } from "./physical/airs";
 import type { Sky } from "./sky";
 
-/** What a sky is made of, in the package's units; angles in radians. */
-export interface Conditions {
-  sun: Vec3;
-  /** Angular radius of the sun, rad, and its distance, AU. */
-  radius: number;
-  distance: number;
+/** The numbers that models take, as the controls and the address have them. */
+export interface Numbers {
   turbidity: number;
   albedo: number;
   dni: number;
@@ -23,6 +19,14 @@ export interface Conditions {
   share: number;
   clearness: number;
   cloud: number;
+}
+
+/** What a sky is made of, in the package's units; angles in radians. */
+export interface Conditions extends Numbers {
+  sun: Vec3;
+  /** Angular radius of the sun, rad, and its distance, AU. */
+  radius: number;
+  distance: number;
   air: Air;
   /** The moon of that hour; null where it is left out, or the sun is set by hand. */
   moon: Moon | null;

@@ -29,6 +29,8 @@ class CloudOptics(NamedTuple):
 class CloudParticles(ABC):
     """A kind of particles, known for effective radii in `radii`."""
 
+    name: ClassVar[str]
+    """As people write it."""
     radii: ClassVar[Range]
     usual_radius: ClassVar[float]
     """The effective radius, m, where nobody says."""
@@ -51,6 +53,7 @@ class Water(CloudParticles):
     ([0.863, 0.847], [1.0, 0.993])
     """
 
+    name: ClassVar[str] = "water"
     radii: ClassVar[Range] = Droplets.bounds["effective_radius"]
     usual_radius: ClassVar[float] = 10e-6
 
@@ -82,6 +85,7 @@ class Ice(CloudParticles):
     ([0.785, 0.816], [1.0, 0.956])
     """
 
+    name: ClassVar[str] = "ice"
     radii: ClassVar[Range] = Range(13e-6, 130e-6, "m")
     usual_radius: ClassVar[float] = 30e-6
 

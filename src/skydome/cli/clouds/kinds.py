@@ -15,4 +15,4 @@ def kind_named(name: str) -> "CloudKind":
     if name not in NAMES:
         raise ValueError(f"--clouds must be one of {', '.join(NAMES)}, got {name!r}")
     made: tuple[CloudKind, ...] = (Cumulus(), Stratocumulus(), Altocumulus(), Cirrus())
-    return made[NAMES.index(name)]
+    return next(kind for kind in made if kind.name == name)

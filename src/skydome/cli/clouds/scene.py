@@ -69,5 +69,6 @@ def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
 
 def told(field: "CloudField") -> str:
     """A line on the field."""
-    name = type(field.kind).__name__.lower()
-    return f"clouds: {name}, cover {field.cover:.2f}, {field.base:.0f} to {field.top:.0f} m, seed {field.seed}"
+    return (
+        f"clouds: {field.kind.name}, cover {field.cover:.2f}, {field.base:.0f} to {field.top:.0f} m, seed {field.seed}"
+    )

@@ -15,7 +15,7 @@ from skydome.skies.validity import Check
 from skydome.sun.place import Place
 from skydome.sun.refraction import standard_pressure
 
-KINDS: dict[str, CloudParticles] = {"water": Water(), "ice": Ice()}
+KINDS: dict[str, CloudParticles] = {kind.name: kind for kind in (Water(), Ice())}
 """Kinds of cloud by the words of the command line."""
 
 
@@ -51,7 +51,7 @@ class OvercastModel(Model):
         """The cloud and the ground."""
         sky = self.sky((0.0, 0.6, 0.8), given, "clamp")
         cloud, top = sky.cloud, sky.base + sky.thickness
-        what = f"{type(cloud.kind).__name__.lower()} of {cloud.radius * 1e6:g} um, {sky.base:g}-{top:g} m"
+        what = f"{cloud.kind.name} of {cloud.radius * 1e6:g} um, {sky.base:g}-{top:g} m"
         pressure = float(sky.held("pressure")) / 100
         return [
             f"cloud: optical depth {float(sky.held('optical_depth')):g} at 550 nm, {what}",

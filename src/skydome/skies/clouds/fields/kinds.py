@@ -22,12 +22,14 @@ ICE = HenyeyGreenstein((0.87, 0.0), (0.9, 0.1))
 class CloudKind(ABC):
     """A kind of cloud. Its shape is a number at each place: cloud is where it exceeds the threshold of a cover.
 
-    base, thickness: usual ones, m. extinction: the greatest, m-1. period: after which the field repeats, m; `count`
-    places of the shape along it, `levels` over the thickness. erosion: by how much fine detail eats into the shape;
-    `detail` m between its places. edge: from the threshold up to full density, in the shape's units.
+    name: as people write it. base, thickness: usual ones, m. extinction: the greatest, m-1. period: after which the
+    field repeats, m; `count` places of the shape along it, `levels` over the thickness. erosion: by how much fine
+    detail eats into the shape; `detail` m between its places. edge: from the threshold up to full density, in the
+    shape's units.
     """
 
     phase: PhaseLaw = field(default=WATER)
+    name: ClassVar[str]
     base: ClassVar[float]
     thickness: ClassVar[float]
     extinction: ClassVar[float]
@@ -63,6 +65,11 @@ class CloudKind(ABC):
             weight /= 2
         return np.asarray(total / (2 - 2 * weight))
 
+    def drifted(self, floor: np.ndarray, wavelength: float, most: float, seed: int) -> Array:
+        """Columns (..., 3) moved sideways by two octaves of noise of a wavelength, m, each way by up to `most` m."""
+        drift = np.stack([self.octaves(gradient, floor, wavelength, 2, seed + n) for n in (0, 1)], axis=-1)
+        return np.asarray(floor + most * np.concatenate([drift, np.zeros((*drift.shape[:-1], 1))], axis=-1))
+
 
 def plain(noise: np.ndarray) -> Array:
     """As it is."""
@@ -93,6 +100,7 @@ class Cumulus(CloudKind):
     1200.0
     """
 
+    name: ClassVar[str] = "cumulus"
     base: ClassVar[float] = 1200.0
     thickness: ClassVar[float] = 1300.0
     extinction: ClassVar[float] = 0.04
@@ -102,9 +110,7 @@ class Cumulus(CloudKind):
 
     def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Domes over the middles of cells, with bumps on them that grow upward."""
-        floor = level(points)
-        drift = np.stack([self.octaves(gradient, floor, 1500.0, 2, seed + 7 + n) for n in (0, 1)], axis=-1)
-        floor = floor + 700.0 * np.concatenate([drift, np.zeros((*drift.shape[:-1], 1))], axis=-1)
+        floor = self.drifted(level(points), 1500.0, 700.0, seed + 7)
         plan = (
             0.9 - self.octaves(cells, floor, 2300.0, 2, seed) + 0.5 * self.octaves(gradient, floor, 5000.0, 2, seed + 1)
         )
@@ -124,6 +130,7 @@ class Stratocumulus(CloudKind):
     900.0
     """
 
+    name: ClassVar[str] = "stratocumulus"
     base: ClassVar[float] = 900.0
     thickness: ClassVar[float] = 400.0
     extinction: ClassVar[float] = 0.03
@@ -155,6 +162,7 @@ class Altocumulus(CloudKind):
     3500.0
     """
 
+    name: ClassVar[str] = "altocumulus"
     base: ClassVar[float] = 3500.0
     thickness: ClassVar[float] = 300.0
     extinction: ClassVar[float] = 0.02
@@ -167,9 +175,7 @@ class Altocumulus(CloudKind):
 
     def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
         """Small cells longer across the rolls' way than along, in patches."""
-        floor = level(points)
-        drift = np.stack([self.octaves(gradient, floor, 2500.0, 2, seed + 7 + n) for n in (0, 1)], axis=-1)
-        floor = floor + 500.0 * np.concatenate([drift, np.zeros((*drift.shape[:-1], 1))], axis=-1)
+        floor = self.drifted(level(points), 2500.0, 500.0, seed + 7)
         rolls = 1.0 - self.octaves(cells, floor, 500.0, 2, seed, stretch=(1.0, 1.8, 1.0))
         patches = self.octaves(gradient, floor, 7000.0, 3, seed + 1)
         return 0.8 * rolls + 0.9 * patches - 1.2 * (height - 0.4) ** 2
@@ -184,6 +190,7 @@ class Cirrus(CloudKind):
     """
 
     phase: PhaseLaw = field(default=ICE)
+    name: ClassVar[str] = "cirrus"
     base: ClassVar[float] = 9000.0
     thickness: ClassVar[float] = 1200.0
     extinction: ClassVar[float] = 0.0012
@@ -207,6 +214,7 @@ class Cirrus(CloudKind):
 class Slab(CloudKind):
     """A layer without any shape, everywhere the same: for comparing with layers."""
 
+    name: ClassVar[str] = "slab"
     base: ClassVar[float] = 1000.0
     thickness: ClassVar[float] = 1000.0
     extinction: ClassVar[float] = 0.01
