@@ -53,7 +53,7 @@ HOME = {
     "skies.formula.igawa": "Igawa",
     "skies.preetham": "Preetham",
     "skies.hosek_wilkie": "HosekWilkie HosekWilkieRGB",
-    "skies.daylight_sky": "Daylight FlatSpectrum ColourByLuminance ColourOf",
+    "skies.wrapped.daylight_sky": "Daylight FlatSpectrum ColourByLuminance ColourOf",
     "skies.suns.sun_disc": "SunDisc",
     "skies.suns.preetham_sun": "PreethamSun",
     "skies.suns.gensky_sun": "gensky_sun",

@@ -126,10 +126,6 @@ from skydome.skies.clouds.fields.sky import CloudySky as CloudySky
 from skydome.skies.clouds.overcast import OvercastSky as OvercastSky
 from skydome.skies.colour_sky import ColourSky as ColourSky
 from skydome.skies.colour_sky import SpectralSky as SpectralSky
-from skydome.skies.daylight_sky import ColourByLuminance as ColourByLuminance
-from skydome.skies.daylight_sky import ColourOf as ColourOf
-from skydome.skies.daylight_sky import Daylight as Daylight
-from skydome.skies.daylight_sky import FlatSpectrum as FlatSpectrum
 from skydome.skies.formula.igawa import Igawa as Igawa
 from skydome.skies.formula.level import clear_zenith_luminance as clear_zenith_luminance
 from skydome.skies.formula.level import overcast_zenith_luminance as overcast_zenith_luminance
@@ -182,6 +178,10 @@ from skydome.skies.suns.preetham_sun import PreethamSun as PreethamSun
 from skydome.skies.suns.sun_disc import SunDisc as SunDisc
 from skydome.skies.uniform import MoonSpencer as MoonSpencer
 from skydome.skies.uniform import Uniform as Uniform
+from skydome.skies.wrapped.daylight_sky import ColourByLuminance as ColourByLuminance
+from skydome.skies.wrapped.daylight_sky import ColourOf as ColourOf
+from skydome.skies.wrapped.daylight_sky import Daylight as Daylight
+from skydome.skies.wrapped.daylight_sky import FlatSpectrum as FlatSpectrum
 from skydome.stars.planets import Planet as Planet
 from skydome.stars.planets import planets as planets
 from skydome.sun.events import SunEvents as SunEvents

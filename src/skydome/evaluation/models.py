@@ -18,10 +18,10 @@ from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import TAUGHT, clear_air
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.daylight_sky import Daylight
 from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
+from skydome.skies.wrapped.daylight_sky import Daylight
 
 GROUND = 98_500.0
 """Pressure at 280 m, Pa."""

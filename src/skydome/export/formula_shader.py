@@ -8,9 +8,9 @@ from skydome.export.shader_languages import Language, number
 from skydome.export.sky_numbers import Numbers
 from skydome.light.colour import RGBSpace
 from skydome.skies.colour_sky import ColourSky
-from skydome.skies.daylight_sky import Daylight
 from skydome.skies.formula.fast import Light
 from skydome.skies.sky import Sky
+from skydome.skies.wrapped.daylight_sky import Daylight
 
 LETTERS = ["level", "a", "b", "c", "d", "e", "f", "g", "h", "i"]
 Lines = list[tuple[str, str]]

@@ -9,11 +9,11 @@
 - perez_all_weather  Perez's all-weather sky: from direct and diffuse irradiance to a luminance distribution
 - preetham           Preetham, Shirley and Smits's clear sky
 - hosek_wilkie       Hosek and Wilkie's clear sky: nine numbers for each band or channel, fitted to a path tracer
-- daylight_sky       Colour for skies that know luminance only, given on purpose
 - captured           The sky of a photograph: an environment map that answers as every sky does
 - catalogue          Every sky model by name, a row each: what the commands, fits, lessons and evaluations read
 - model              The kinds of rows in it, and how each makes its sky
 - series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
+- wrapped/           Skies that change another sky, such as colour given to one that knows luminance only
 - formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)
 - neural/            Neural skies: small networks from sun and view to light (Satilmis et al. 2017)
 - all_air/           One sky for all air: light scattered once exactly, the rest by small networks

@@ -246,4 +246,4 @@ class PhysicalSky(StokesSky):
         rest = self.rest.radiance(lit.numbers, height, lambda network: network.at_nodes(turns)) + orders.smooth
         colours = self.colours().at_heights(lit.gases, height, view[:, 0]) * np.float32(self.is_day)
         series = [series_of(fields @ colours) for fields in (np.concatenate(shapes), rest[None])]
-        return HeldSky(self.seen_sun, self, np.concatenate(series, axis=2))
+        return HeldSky(self.seen_sun, self, tuple(self.held_laws), np.concatenate(series, axis=2))

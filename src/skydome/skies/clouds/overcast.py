@@ -12,7 +12,6 @@ from skydome.air.clouds.cloud import Cloud
 from skydome.air.clouds.particles import CloudParticles, Water
 from skydome.air.constituents import Molecules, Ozone
 from skydome.air.cross_sections import STANDARD_PRESSURE
-from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import Array, at_least, constant, floating, is_numpy, limited, namespace
 from skydome.ground.directions import checked_directions
@@ -148,11 +147,6 @@ class OvercastSky(SunlitSky, SpectralSky):
             return numbers
         return LayerOptics(*(limited(v, *TAUGHT[name][:2]) for name, v in numbers._asdict().items()))
 
-    @property
-    def held_laws(self) -> list[PhaseLaw]:
-        """The phase laws whose light a table keeps apart."""
-        return [part.phase_law for part in self.atmosphere.constituents]
-
     @cached_property
     def for_maps(self) -> Sky:
         """The colours of one sun and layer held in a table; the sky itself where those are many, or not NumPy's."""
@@ -160,7 +154,7 @@ class OvercastSky(SunlitSky, SpectralSky):
         if not (one and bool(self.valid | (self.check != "nan"))):
             return self
         sun = np.asarray(self.toward, dtype=np.float64)
-        return held_overcast(self, sun, self.cloud, self.held_optics(NODES), self.taught)
+        return held_overcast(self, sun, self.atmosphere, self.held_optics(NODES), self.taught)
 
     @property
     def direct_normal_illuminance(self) -> Array:

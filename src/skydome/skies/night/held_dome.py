@@ -8,13 +8,15 @@ import numpy as np
 from skydome.ground.arrays import Array
 from skydome.ground.directions import azimuth, checked_directions, direction, elevation
 from skydome.skies.colour_sky import ColourSky
+from skydome.skies.sky import Sky
+from skydome.skies.wrapped.wrapped_sky import WrappedSky
 
 RINGS, COLUMNS = 129, 241
 """Heights, crowded at the horizon, and azimuths of the grid, the first again at the end."""
 
 
 @dataclass(frozen=True, eq=False)
-class HeldDome(ColourSky):
+class HeldDome(WrappedSky, ColourSky):
     """The colours (RINGS, COLUMNS, 3) of a sky, linear between: 99 % within 1.5 % of the sky itself (tested)."""
 
     sky: ColourSky
@@ -25,6 +27,11 @@ class HeldDome(ColourSky):
     def of(cls, sky: ColourSky) -> Self:
         """The table of a sky."""
         return cls(sky, np.asarray(sky.xyz(grid()), np.float32))
+
+    @property
+    def wrapped(self) -> Sky:
+        """The sky that is held."""
+        return self.sky
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""

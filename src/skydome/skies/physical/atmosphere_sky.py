@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -94,41 +94,3 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         light = self.atmosphere.transmittance(at_least(cosine, 0.0), bands) * self.atmosphere.sun_at(bands)
         level = np.where(cosine > 0, (light @ xyz_weights(bands))[..., 1], 0.0)
         return float(level) if self.one_sun else level
-
-
-class OfAnAir(Protocol):
-    """What a held sky asks of the one whose colours it holds."""
-
-    @property
-    def atmosphere(self) -> Atmosphere:
-        """The air: its constituents' phase functions are put in at every direction."""
-
-    @property
-    def albedo(self) -> Any:
-        """The ground's."""
-
-    @property
-    def sun_distance(self) -> Any:
-        """As of every sky with a sun."""
-
-    @property
-    def direct_normal_illuminance(self) -> Any:
-        """As of every sky with a sun."""
-
-    @property
-    def held_laws(self) -> list[PhaseLaw]:
-        """The phase laws whose light the table keeps apart."""
-
-    @property
-    def valid(self) -> Array:
-        """As of every sky."""
-
-    @property
-    def is_day(self) -> Array:
-        """As of every sky."""
-
-    def parameters(self) -> dict[str, Any]:
-        """As of every sky."""
-
-    def own_disc(self, angular_radius: Any) -> SunlitSky | None:
-        """As of every sky with a sun."""

@@ -4,13 +4,13 @@ What is sharp is the phase functions: the light scattered once is kept as one sm
 its phase function is put in at every direction. The rest, of higher orders, is smooth.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.atmosphere import Atmosphere
 from skydome.air.phase_laws import PhaseLaw
 from skydome.air.rays import ColumnTable, rays
 from skydome.ground.arguments import require_kind
@@ -20,13 +20,14 @@ from skydome.ground.directions import checked_directions, direction, zenith_angl
 from skydome.ground.interpolation import weights
 from skydome.light.colour import SRGB, RGBSpace
 from skydome.skies.colour_sky import ColourSky, SpectralSky
-from skydome.skies.physical.atmosphere_sky import AtmosphereSky, OfAnAir
+from skydome.skies.physical.atmosphere_sky import AtmosphereSky
 from skydome.skies.physical.cosine_series import cosine_transform, geometry, interpolated, view_nodes
 from skydome.skies.physical.held_fields import LEAST_DIRECTIONS, MANY, HeldFields
 from skydome.skies.physical.held_rows import HeldRows
 from skydome.skies.physical.nishita import lit_columns
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import SunlitSky
+from skydome.skies.wrapped.wrapped_sky import WrappedSunlitSky
 
 TERMS = 24
 CHUNK = 8192
@@ -35,14 +36,16 @@ PIVOTS = np.arange(360.0, 841.0, 60.0)
 
 
 @dataclass(frozen=True, eq=False)
-class HeldSky(SunlitSky, ColourSky):
+class HeldSky(WrappedSunlitSky, ColourSky):
     """The colours of a physical sky (`held` makes it), as a table: a million directions in seconds.
 
     Errors against the sky itself: below 0.3 % for suns over 5 degrees; lower, 3 % of the brightest (both tested),
     besides its own noise where it is path traced.
     """
 
-    sky: OfAnAir
+    sky: SunlitSky
+    laws: tuple[PhaseLaw, ...]
+    """Phase laws of what the light scattered once is kept of."""
     series: np.ndarray
     """Coefficients of cos(m x relative azimuth): (nodes, terms, shapes + 1, 3), the last of higher orders.
 
@@ -51,47 +54,13 @@ class HeldSky(SunlitSky, ColourSky):
     source: ClassVar[str] = "Nakajima and Tanaka 1988: single scattering apart"
 
     @property
-    def atmosphere(self) -> Atmosphere:
-        """The air."""
-        return self.sky.atmosphere
-
-    @property
-    def far_air(self) -> Atmosphere:
-        """The air itself."""
-        return self.atmosphere
-
-    @property
-    def albedo(self) -> Any:
-        """The ground's."""
-        return self.sky.albedo
+    def wrapped(self) -> SunlitSky:
+        """The sky that is held."""
+        return self.sky
 
     def parameters(self) -> dict[str, Any]:
         """Those of the sky that is held."""
         return self.sky.parameters()
-
-    @property
-    def valid(self) -> Array:
-        """Where the sky that is held is."""
-        return self.sky.valid
-
-    @property
-    def is_day(self) -> Array:
-        """Where the sky that is held has light."""
-        return self.sky.is_day
-
-    def own_disc(self, angular_radius: Any) -> SunlitSky | None:
-        """That of the sky that is held."""
-        return self.sky.own_disc(angular_radius)
-
-    @property
-    def sun_distance(self) -> Any:
-        """Distance of the sun, AU, that the sky knows."""
-        return self.sky.sun_distance
-
-    @property
-    def direct_normal_illuminance(self) -> Array | float:
-        """Illuminance of the sun through this air on a plane that faces it, lx; 0 when it has set."""
-        return self.sky.direct_normal_illuminance
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""
@@ -115,13 +84,12 @@ class HeldSky(SunlitSky, ColourSky):
     @cached_property
     def fields(self) -> HeldFields:
         """The table made fine, for many directions."""
-        return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.sky.held_laws, c))
+        return HeldFields.of(np.asarray(self.sun, np.float64), self.series, lambda c: shapes_of(self.laws, c))
 
     @cached_property
     def rows(self) -> HeldRows:
         """The table for rows and columns."""
-        laws = self.sky.held_laws
-        return HeldRows.of(float(zenith_angle(self.sun)), self.series, laws, [pivots(law) for law in laws])
+        return HeldRows.of(float(zenith_angle(self.sun)), self.series, self.laws, [pivots(law) for law in self.laws])
 
     @cached_property
     def on_level(self) -> np.ndarray:
@@ -132,7 +100,7 @@ class HeldSky(SunlitSky, ColourSky):
         """CIE XYZ toward views (D, 3) above the horizon, (D, 3)."""
         cosine, relative, angle = geometry(views, np.asarray(self.sun))
         fields = interpolated(self.series, cosine, relative)
-        phases = shapes_of(self.sky.held_laws, angle)
+        phases = shapes_of(self.laws, angle)
         light: np.ndarray = fields[:, -1] + np.einsum("kd,dkc->dc", phases, fields[:, :-1])
         return np.maximum(light, 0.0)
 
@@ -177,7 +145,7 @@ def held(sky: AtmosphereSky, bands: np.ndarray | None = None, light: np.ndarray 
     rest = whole - np.einsum("kd,kdw->dw", shapes, once)
     colours = SkyColours.of(air, weights(w, np.clip(SpectralSky.bands, w[0], w[-1])).T)
     fields = colours.of_light(np.concatenate([once, rest[None]]), air.gases, sun[2], views[:, 2])
-    return HeldSky(seen, sky, series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
+    return HeldSky(seen, sky, tuple(sky.held_laws), series_of(fields.reshape(len(fields), -1, TERMS + 1, 3)))
 
 
 def series_of(fields: np.ndarray) -> np.ndarray:
@@ -189,7 +157,7 @@ def series_of(fields: np.ndarray) -> np.ndarray:
     return series
 
 
-def shapes_of(laws: list[PhaseLaw], cosine: np.ndarray) -> np.ndarray:
+def shapes_of(laws: Sequence[PhaseLaw], cosine: np.ndarray) -> np.ndarray:
     """Phase functions of some laws, at `PIVOTS` where they change, at cosines (D,), sr-1, (shapes, D)."""
     c = np.clip(cosine, -1.0, 1.0)
     return np.concatenate([law.value(c, pivots(law)).T for law in laws])

@@ -4,6 +4,7 @@ Fields are cubic in the height and cosine series in the azimuth; phase functions
 that is even in the half chord between view and sun.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -39,7 +40,7 @@ class HeldRows:
     """Phase functions over the half chord, (CHORDS, shapes), 0 for closed forms."""
 
     @classmethod
-    def of(cls, sun: float, series: np.ndarray, laws: list[PhaseLaw], kept: list[np.ndarray]) -> "HeldRows":
+    def of(cls, sun: float, series: np.ndarray, laws: Sequence[PhaseLaw], kept: list[np.ndarray]) -> "HeldRows":
         """`laws` of the constituents, each `kept` at some wavelengths; shapes without light go."""
         forms: list[ClosedForm | None] = []
         columns: list[np.ndarray] = []

@@ -20,13 +20,14 @@ from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.sky import SunlitSky
 from skydome.skies.suns.sun_disc import SunDisc
+from skydome.skies.wrapped.wrapped_sky import WrappedSky, WrappedSunlitSky
 
 CHUNK = 1 << 16
 """Views at a time."""
 
 
 @dataclass(frozen=True, eq=False)
-class CloudySky(SpectralSky):
+class CloudySky(WrappedSky, SpectralSky):
     """The `clear` physical sky of one sun with a `field` of cloud in it: spectrum, colour, luminance.
 
     Light scattered once by the cloud with its true phase function, all higher orders by diffusion in three dimensions;
@@ -66,14 +67,9 @@ class CloudySky(SpectralSky):
         return SunBehindClouds(np.asarray(self.clear.seen_sun), self)
 
     @property
-    def is_day(self) -> Array:
-        """True where the clear sky has light."""
-        return self.clear.is_day
-
-    @property
-    def valid(self) -> Array:
-        """That of the clear sky."""
-        return self.clear.valid
+    def wrapped(self) -> PhysicalSky:
+        """The clear sky."""
+        return self.clear
 
     @property
     def atmosphere(self) -> Atmosphere:
@@ -84,11 +80,6 @@ class CloudySky(SpectralSky):
     def toward(self) -> Array:
         """The sun, where it stands."""
         return self.clear.toward
-
-    @property
-    def albedo(self) -> Any:
-        """Of the ground under the clear sky."""
-        return self.clear.albedo
 
     @cached_property
     def sun_share(self) -> float:
@@ -133,7 +124,7 @@ def pieces(indices: np.ndarray) -> Iterator[np.ndarray]:
 
 
 @dataclass(frozen=True, eq=False)
-class SunBehindClouds(SunlitSky):
+class SunBehindClouds(WrappedSunlitSky):
     """What a sky of clouds tells of its sun."""
 
     sky: CloudySky
@@ -144,29 +135,9 @@ class SunBehindClouds(SunlitSky):
         return self.sky.luminance(directions)
 
     @property
-    def valid(self) -> Array:
-        """The sky's."""
-        return self.sky.valid
-
-    @property
-    def is_day(self) -> Array:
-        """The sky's."""
-        return self.sky.is_day
-
-    @property
-    def haze(self) -> Any:
-        """That of the clear air."""
-        return self.sky.clear.haze
-
-    @property
-    def far_air(self) -> Any:
-        """The clear sky's air."""
-        return self.sky.clear.far_air
-
-    @property
-    def sun_distance(self) -> Any:
-        """Distance of the sun, AU."""
-        return self.sky.clear.sun_distance
+    def wrapped(self) -> PhysicalSky:
+        """The clear sky."""
+        return self.sky.clear
 
     @property
     def direct_normal_illuminance(self) -> Any:

@@ -9,8 +9,8 @@ from skydome.ground.limits.ranges import LIGHT, require
 from skydome.light.colour import xyz_from_xyY
 from skydome.light.daylight import LOCUS, daylight_chromaticity, daylight_spectrum
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.daylight_sky import DressedSky
 from skydome.skies.sky import Sky
+from skydome.skies.wrapped.daylight_sky import DressedSky
 
 WHITEST = 6500.0
 """K, of a sky without end in brightness."""

@@ -13,7 +13,8 @@ from skydome.light.daylight import LOCUS, daylight_chromaticity, daylight_spectr
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.formula.fast import Light
-from skydome.skies.sky import Sky, SunlitSky
+from skydome.skies.sky import Sky
+from skydome.skies.wrapped.wrapped_sky import WrappedSky
 
 
 def require_pair(chromaticity: Any) -> Chromaticity:
@@ -26,36 +27,16 @@ def require_pair(chromaticity: Any) -> Chromaticity:
     return float(pair[0]), float(pair[1])
 
 
-class DressedSky(ColourSky):
+class DressedSky(WrappedSky, ColourSky):
     """A sky that knows luminance only, held as `sky`, with colour given to it: all but the colour is its own."""
 
     sky: Sky
     kinds: ClassVar = {"sky": (Sky, "MoonSpencer(zenith_luminance=9000.0)")}
 
     @property
-    def is_day(self) -> Array:
-        """True where the sky's sun is up."""
-        return self.sky.is_day
-
-    @property
-    def valid(self) -> Array:
-        """True where the sky is valid."""
-        return self.sky.valid
-
-    @property
-    def sunlit(self) -> SunlitSky | None:
-        """The sky's own, so that `SunDisc.of` finds the sun."""
-        return self.sky.sunlit
-
-    @property
-    def has_night(self) -> bool:
-        """Whether the sky goes dark with a sun."""
-        return self.sky.has_night
-
-    @property
-    def albedo(self) -> Any:
-        """That of the sky's ground."""
-        return self.sky.albedo
+    def wrapped(self) -> Sky:
+        """The sky without colour."""
+        return self.sky
 
     def luminance_formula(self) -> Light | None:
         """The sky's own."""
