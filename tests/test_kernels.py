@@ -47,6 +47,11 @@ KERNEL_PAIRS = (
         "skies/clouds/fields/test_cloud_fields.py::test_thin_slab_scatters_once",
     ),
     Pair(
+        "skies.clouds.fields.incident:Incident",
+        "skies.clouds.fields.air_kernel:put_together",
+        "skies/clouds/fields/test_cloud_fields.py::test_air_before_the_cloud_is_the_same_compiled",
+    ),
+    Pair(
         "skies.clouds.fields.reference:CloudTracing",
         "skies.clouds.fields.tracing_kernel:traced",
         "skies/clouds/fields/test_cloud_fields.py::test_paths_through_a_slab_meet_discrete_ordinates",

@@ -163,3 +163,13 @@ def test_sun_is_dimmed_by_the_cloud_before_it(sky):
 def test_refused(wrong, told):
     with pytest.raises(ValueError, match=told):
         CloudField(**wrong)
+
+
+def test_air_before_the_cloud_is_the_same_compiled(sky):
+    light, rng = sky.colours, np.random.default_rng(1)
+    sines, seen, clear = rng.uniform(0, 1, 50), rng.uniform(0, 1, (50, 5)), rng.uniform(0, 1, (50, 3))
+    seen[:, 4] = rng.uniform(1e3, 9e4, 50)
+    before, *lights = np.moveaxis(light.at(sines, seen[:, 4]), 1, 0)
+    known = clear * (seen[:, :1] + (1 - seen[:, :1]) * before)
+    known = known + sum(part * seen[:, n : n + 1] for n, part in enumerate(lights, 1))
+    np.testing.assert_allclose(light.put_together(clear, sines, seen), known, rtol=1e-9)

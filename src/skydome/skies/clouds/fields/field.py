@@ -179,11 +179,16 @@ def column_tops(kind: CloudKind, thickness: float, seed: int) -> np.ndarray:
     """The greatest of shape less erosion in each column where there can be cloud, in order of size, (columns,)."""
     shape, fine = tables(kind, thickness, seed)
     level = np.flatnonzero(kind.profile((np.arange(kind.levels) + 0.5) / kind.levels) > 0.05)
-    m, spacing = kind.count, kind.period / kind.count
-    j, i = (part.ravel() for part in np.meshgrid(np.arange(m), np.arange(m), indexing="ij"))
-    best = np.full(m * m, -np.inf)
-    for k in level:
-        z = np.full(i.shape, (k + 0.5) / kind.levels * thickness / kind.detail)
-        eaten = interpolated(fine, i * spacing / kind.detail, j * spacing / kind.detail, z, wraps=True)
-        best = np.maximum(best, shape[j, i, k] - kind.erosion * eaten)
-    return np.sort(best)
+    along, up = np.arange(kind.count) * (kind.period / kind.count), (level + 0.5) / kind.levels * thickness
+    eaten = kind.erosion * on_a_grid(fine, along / kind.detail, along / kind.detail, up / kind.detail)
+    return np.sort((shape[..., level] - eaten).max(axis=2), axis=None)
+
+
+def on_a_grid(table: np.ndarray, north: np.ndarray, east: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """A table (north, east, up) that repeats, linear at all meetings of places along the axes."""
+    for axis, places in ((2, up), (1, east), (0, north)):
+        low = np.floor(places).astype(int)
+        share = np.float32(places - low).reshape([-1 if n == axis else 1 for n in range(3)])
+        first, second = (np.take(table, (low + n) % table.shape[axis], axis) for n in (0, 1))
+        table = first + (second - first) * share
+    return table

@@ -12,6 +12,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.bending import REFRACTIVITY
+from skydome.ground.compiled import shared
 from skydome.ground.directions import direction
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import xyz_weights
@@ -142,11 +143,16 @@ class Incident:
 
     def behind(self, light: np.ndarray, views: np.ndarray) -> np.ndarray:
         """The clear sky's `light` (D, C) toward views (D, 3) with the field before it, (D, C)."""
-        seen = self.lit.seen(views)
-        before, sun, sky, ground = np.moveaxis(self.at(views[:, 2], seen[:, 4]), 1, 0)
-        through = seen[:, :1]
-        clouds = sun * seen[:, 1:2] + sky * seen[:, 2:3] + ground * seen[:, 3:4]
-        return np.asarray(light * (through + (1 - through) * before) + clouds)
+        return self.put_together(np.asarray(light), views[:, 2], self.lit.seen(views))
+
+    def put_together(self, light: np.ndarray, sines: np.ndarray, seen: np.ndarray) -> np.ndarray:
+        """The same for what is seen (D, 5) of the field, toward sines of elevation (D,)."""
+        from skydome.skies.clouds.fields.air_kernel import put_together
+
+        out, (low, *_, high) = np.empty(light.shape), self.heights
+        given = (self.tables, low, high, self.air.radius, np.ascontiguousarray(sines), seen, light, out)
+        shared(put_together, len(out), out.size, given)
+        return out
 
     def at(self, sines: np.ndarray, distance: np.ndarray) -> np.ndarray:
         """The tables for sines of elevation and distances (D,), (D, 4, C)."""

@@ -42,6 +42,8 @@ class CloudKind(ABC):
 
     def __post_init__(self) -> None:
         require_kind(self.phase, PhaseLaw, "phase", "HenyeyGreenstein((0.85,))")
+        if self.count.bit_count() != 1:
+            raise ValueError(f"count must be a power of two, got {self.count}")
 
     @abstractmethod
     def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:

@@ -7,6 +7,7 @@ diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source,
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,8 @@ BLUR, BROADER = 0.35, 2.5
 """How soon many small turns blur the phase function, and to which power of its mean cosine."""
 SWEEPS, OVER = 24, 1.8
 RAYS_PER_PIECE = 1 << 8
+WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
+"""Gaps that are told apart, in heights of a cell."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,14 +83,15 @@ class LitField:
 
     @cached_property
     def gaps(self) -> np.ndarray:
-        """How many cells to the nearest column with cloud, 0 within it, up to 12."""
-        reached = self.coarse.max(axis=2) > 0
-        found = np.where(reached, 0, 1)
-        for _ in range(11):
-            for axis in (0, 1):
-                reached = reached | np.roll(reached, 1, axis) | np.roll(reached, -1, axis)
-            found = found + ~reached
-        return found.astype(np.float64)
+        """Metres around each cell that are free of cloud, 0 within it and beside it, float32."""
+        dx, dz = self.steps
+        taken = widened(self.coarse > 0, 1, 1)
+        found, level, upward = np.zeros(taken.shape, np.float32), 0, 0
+        for free in dz * WIDTHS:
+            taken = widened(taken, ceil(free / dx) - level, round(free / dz) - upward)
+            found[~taken] = free
+            level, upward = ceil(free / dx), round(free / dz)
+        return found
 
     @cached_property
     def sun_depths(self) -> np.ndarray:
@@ -110,7 +114,7 @@ class LitField:
     @cached_property
     def of_ground(self) -> np.ndarray:
         """Fluence for ground light of irradiance 1 from below."""
-        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(OPEN_TO_SKY), 0.0, 1.0)
+        return np.float32(4) - self.of_sky  # under both it is even
 
     @cached_property
     def of_sun(self) -> np.ndarray:
@@ -177,3 +181,16 @@ class LitField:
         given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, self.phase, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
         return out
+
+
+def widened(taken: np.ndarray, level: int, upward: int) -> np.ndarray:
+    """Cells (north, east, up) within so many cells of those taken; around to north and east."""
+    for axis, times in ((0, level), (1, level)):
+        for _ in range(times):
+            taken = taken | np.roll(taken, 1, axis) | np.roll(taken, -1, axis)
+    for _ in range(upward):
+        wider = taken.copy()
+        wider[..., 1:] |= taken[..., :-1]
+        wider[..., :-1] |= taken[..., 1:]
+        taken = wider
+    return taken

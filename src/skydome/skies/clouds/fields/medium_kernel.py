@@ -2,7 +2,7 @@
 """Extinction of a field at a place, means over coarse cells, and the optical depth along rays, compiled.
 
 `m` is a `field.Medium`. Places x, y, z are in m from the field's own origin, z above the clouds' base. Coarse grids are
-(north, east, up).
+(north, east, up). All sides of tables that repeat are powers of two, so that bits are masked where a division is dear.
 """
 
 import math
@@ -18,8 +18,8 @@ def wrapped(table, x, y, z):
     rows, columns, levels = table.shape
     fx, fy, fz = math.floor(x), math.floor(y), math.floor(z)
     u, v, w = x - fx, y - fy, z - fz
-    i, j, k = int(fx) % columns, int(fy) % rows, int(fz) % levels
-    i1, j1, k1 = (i + 1) % columns, (j + 1) % rows, (k + 1) % levels
+    i, j, k = int(fx) & (columns - 1), int(fy) & (rows - 1), int(fz) & (levels - 1)
+    i1, j1, k1 = (i + 1) & (columns - 1), (j + 1) & (rows - 1), (k + 1) & (levels - 1)
     low = (table[j, i, k] * (1 - u) + table[j, i1, k] * u) * (1 - v) + (
         table[j1, i, k] * (1 - u) + table[j1, i1, k] * u
     ) * v
@@ -36,8 +36,8 @@ def between(table, x, y, z):
     z = min(max(z, 0.0), levels - 1.000001)
     fx, fy, fz = math.floor(x), math.floor(y), math.floor(z)
     u, v, w = x - fx, y - fy, z - fz
-    i, j, k = int(fx) % columns, int(fy) % rows, int(fz)
-    i1, j1 = (i + 1) % columns, (j + 1) % rows
+    i, j, k = int(fx) & (columns - 1), int(fy) & (rows - 1), int(fz)
+    i1, j1 = (i + 1) & (columns - 1), (j + 1) & (rows - 1)
     low = (table[j, i, k] * (1 - u) + table[j, i1, k] * u) * (1 - v) + (
         table[j1, i, k] * (1 - u) + table[j1, i1, k] * u
     ) * v
@@ -68,6 +68,14 @@ def extinction(m, x, y, z):
     k = min(int(held), m.profile.size - 2)
     level = m.profile[k] + (m.profile[k + 1] - m.profile[k]) * (held - k)
     return share * level * m.extinction
+
+
+@part
+def free(gaps, x, y, z):
+    """Metres around a place that are free of cloud; x, y, z in cells."""
+    rows, columns, levels = gaps.shape
+    k = min(max(int(z), 0), levels - 1)
+    return gaps[math.floor(y) & (rows - 1), math.floor(x) & (columns - 1), k]
 
 
 @compiled

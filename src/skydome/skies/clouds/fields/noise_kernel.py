@@ -14,10 +14,19 @@ part, compiled = inlined(), job()
 
 
 @part
-def lattice_key(i, j, k, east, north, up, seed):
+def places(i, j, k, step, east, north, up):
+    """A corner's neighbours at a step along each axis, as shares of a key."""
+    return (
+        np.uint64((i + step) % east) + ONE,
+        np.uint64((j + step) % north) << np.uint64(20),
+        np.uint64((k + step) % up) << np.uint64(40),
+    )
+
+
+@part
+def key_of(place, seed):
     """64 random bits of a place of the lattice."""
-    place = np.uint64(i % east) + (np.uint64(j % north) << np.uint64(20)) + (np.uint64(k % up) << np.uint64(40))
-    return stirred(stirred(place + ONE) + np.uint64(seed) * GOLDEN)
+    return stirred(stirred(place) + np.uint64(seed) * GOLDEN)
 
 
 @part
@@ -33,10 +42,12 @@ def gradient_noise(first, last, points, east, north, up, seed, out):
         i, j, k = math.floor(points[n, 0]), math.floor(points[n, 1]), math.floor(points[n, 2])
         x, y, z = points[n, 0] - i, points[n, 1] - j, points[n, 2] - k
         u, v, w = faded(x), faded(y), faded(z)
+        x0, y0, z0 = places(int(i), int(j), int(k), 0, east, north, up)
+        x1, y1, z1 = places(int(i), int(j), int(k), 1, east, north, up)
         total = 0.0
         for corner in range(8):
             a, b, c = corner & 1, (corner >> 1) & 1, corner >> 2
-            key = lattice_key(int(i) + a, int(j) + b, int(k) + c, east, north, up, seed)
+            key = key_of((x1 if a else x0) + (y1 if b else y0) + (z1 if c else z0), seed)
             along = (
                 (2 * (float(key & MASK) * SCALE) - 1) * (x - a)
                 + (2 * (float((key >> SHIFT) & MASK) * SCALE) - 1) * (y - b)
@@ -53,10 +64,15 @@ def cellular_noise(first, last, points, east, north, up, seed, out):
         i, j, k = math.floor(points[n, 0]), math.floor(points[n, 1]), math.floor(points[n, 2])
         x, y, z = points[n, 0] - i, points[n, 1] - j, points[n, 2] - k
         least = 9.0
+        low = places(int(i), int(j), int(k), -1, east, north, up)
+        mid = places(int(i), int(j), int(k), 0, east, north, up)
+        high = places(int(i), int(j), int(k), 1, east, north, up)
         for a in range(-1, 2):
+            px = low[0] if a < 0 else high[0] if a > 0 else mid[0]
             for b in range(-1, 2):
+                py = low[1] if b < 0 else high[1] if b > 0 else mid[1]
                 for c in range(-1, 2):
-                    key = lattice_key(int(i) + a, int(j) + b, int(k) + c, east, north, up, seed)
+                    key = key_of(px + py + (low[2] if c < 0 else high[2] if c > 0 else mid[2]), seed)
                     dx = float(key & MASK) * SCALE + a - x
                     dy = float((key >> SHIFT) & MASK) * SCALE + b - y
                     dz = float((key >> SHIFTS) & MASK) * SCALE + c - z

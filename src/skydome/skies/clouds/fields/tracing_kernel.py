@@ -1,7 +1,7 @@
 # mypy: allow-untyped-defs
 """Paths of light through a field of cloud, compiled: delta tracking (Woodcock et al. 1965), all orders.
 
-`m` is a `field.Medium`; `gaps` (north, east) cells of width `dx` to the nearest column with cloud; `angles` the
+`m` is a `field.Medium`; `gaps` (north, east, up) m around that are free of cloud, in cells of width `dx`; `angles` the
 scattering angle at even shares of the phase function's integral. A path's state `p` (6,): place over the field, m, z
 above the base, and direction. Random numbers are a hash of path and event.
 """
@@ -13,7 +13,7 @@ import numpy as np
 from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.skies.clouds.fields.march_kernel import distance_to, height_over
-from skydome.skies.clouds.fields.medium_kernel import extinction
+from skydome.skies.clouds.fields.medium_kernel import extinction, free
 
 compiled, part = job(), inlined()
 MOST = 100_000
@@ -23,19 +23,12 @@ LEAST = 0.1
 
 
 @part
-def gap(gaps, dx, x, y, level):
-    """Metres that are free of cloud from a place on."""
-    found = gaps[math.floor(y / dx) % gaps.shape[0], math.floor(x / dx) % gaps.shape[1]]
-    return max(found - 1.0, 0.0) * dx / max(level, 1e-9)
-
-
-@part
 def flown(m, gaps, dx, p, key, count):
     """Move `p` to its next collision or out of the layer; events so far, negative where it is out."""
-    level = math.sqrt(p[3] * p[3] + p[4] * p[4])
+    dz = m.thickness / gaps.shape[2]
     while count < MOST:
-        free = gap(gaps, dx, p[0], p[1], level)
-        t = free if free > 0.0 else -math.log(uniform(key, count)) / m.extinction
+        gap = free(gaps, p[0] / dx, p[1] / dx, p[2] / dz)
+        t = gap if gap > 0.0 else -math.log(uniform(key, count)) / m.extinction
         count += 1
         z = p[2] + t * p[5]
         if z < 0.0 or z > m.thickness:
@@ -43,7 +36,7 @@ def flown(m, gaps, dx, p, key, count):
             p[0], p[1], p[2] = p[0] + out * p[3], p[1] + out * p[4], m.thickness if p[5] > 0.0 else 0.0
             return -count
         p[0], p[1], p[2] = p[0] + t * p[3], p[1] + t * p[4], z
-        if free <= 0.0 and uniform(key, count) * m.extinction < extinction(m, p[0], p[1], p[2]):
+        if gap <= 0.0 and uniform(key, count) * m.extinction < extinction(m, p[0], p[1], p[2]):
             return count + 1
         count += 1
     return -MOST
@@ -52,15 +45,15 @@ def flown(m, gaps, dx, p, key, count):
 @part
 def reaches(m, gaps, dx, x, y, z, sun, key):
     """Transmittance from a place to the sun, by ratio tracking."""
-    left, count, level = 1.0, 0, math.sqrt(sun[0] * sun[0] + sun[1] * sun[1])
+    left, count, dz = 1.0, 0, m.thickness / gaps.shape[2]
     while count < MOST:
-        free = gap(gaps, dx, x, y, level)
-        t = free if free > 0.0 else -math.log(uniform(key, count)) / m.extinction
+        gap = free(gaps, x / dx, y / dx, z / dz)
+        t = gap if gap > 0.0 else -math.log(uniform(key, count)) / m.extinction
         count += 1
         x, y, z = x + t * sun[0], y + t * sun[1], z + t * sun[2]
         if z > m.thickness:
             return left
-        if free > 0.0:
+        if gap > 0.0:
             continue
         left *= 1.0 - extinction(m, x, y, z) / m.extinction
         if left < LEAST:
