@@ -75,7 +75,7 @@ def train_overcast_network(output: Path, folder: Path, batches: int, seed: int) 
     """Trains the overcast sky's network on a folder of lessons, filled up first; the facts with the error."""
     from skydome.own_air.all_air.training import require_torch
     from skydome.own_air.clouds.training import OVERCAST as COURSE
-    from skydome.own_air.clouds.training import train_overcast
+    from skydome.own_air.clouds.training import POLISHING, train_overcast
 
     require_torch()
     start, made, done = time.process_time(), make_overcast_lessons(folder, batches, seed), 0
@@ -86,6 +86,6 @@ def train_overcast_network(output: Path, folder: Path, batches: int, seed: int) 
             done = min(done + 100, COURSE.steps)
             report(done, COURSE.steps, f"error {loss:.5f}")
 
-        error = train_overcast(folder, output, COURSE, seed, listen)
+        error = train_overcast(folder, output, COURSE, seed, listen, POLISHING)
     facts = {"file": str(output), "bytes": output.stat().st_size} | made | {"rms_error": round(error, 5)}
     return facts | {"processor_seconds": round(time.process_time() - start, 1)}
