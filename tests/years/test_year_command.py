@@ -20,9 +20,8 @@ def skydome(*words, limit=None):
 
 
 def test_matrix_suns_and_figure(files, tmp_path):
-    answer = skydome(
-        files["epw"], "-o", tmp_path / "a.mtx", "--suns", tmp_path / "s.rad", "--plot", tmp_path / "a.png", "--json"
-    )
+    written = ("-o", tmp_path / "a.mtx", "--suns", tmp_path / "s.rad", "--plot", tmp_path / "a.png")
+    answer = skydome(files["epw"], *written, "--kinds", tmp_path / "k.csv", "--json")
     assert answer.returncode == 0, answer.stderr
     facts = json.loads(answer.stdout)
     assert facts["hours"] == 8760
@@ -30,6 +29,9 @@ def test_matrix_suns_and_figure(files, tmp_path):
     assert read(tmp_path / "a.mtx")[0].shape == (146, 8760, 3)
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     assert "source sun1" in (tmp_path / "s.rad").read_text()
+    kinds = [row.split(",")[3] for row in (tmp_path / "k.csv").read_text().splitlines()[1:]]
+    assert len(kinds) == 8760
+    assert {name: kinds.count(name) for name in set(kinds) - {""}} == facts["hours_by_kind"]
 
 
 @pytest.mark.parametrize("ending", [".zarr", ".nc"])

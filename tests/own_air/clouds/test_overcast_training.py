@@ -18,13 +18,13 @@ def command(*arguments: object) -> dict[str, float]:
     return found
 
 
-class Killed(Exception):
+class KilledError(Exception):
     """What ends the first run."""
 
 
 def killed_after_one(done: int, *_: object) -> None:
     if done == 1:
-        raise Killed
+        raise KilledError
 
 
 def test_lessons_and_training_by_the_command_line(tmp_path, monkeypatch):
@@ -34,7 +34,7 @@ def test_lessons_and_training_by_the_command_line(tmp_path, monkeypatch):
     monkeypatch.setattr(training, "OVERCAST", course)
     monkeypatch.setattr(training, "POLISHING", 4)
     folder, output = tmp_path / "mine.lessons", tmp_path / "mine.safetensors"
-    with pytest.raises(Killed):
+    with pytest.raises(KilledError):
         lessons.make_overcast_lessons(folder, 3, 5, killed_after_one)
     first = {path: path.read_bytes() for path in folder.iterdir()}
     assert len(first) == 1

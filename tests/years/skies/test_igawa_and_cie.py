@@ -7,6 +7,7 @@ import skydome as sd
 from skydome.dome.patches import patches
 from skydome.years.planes.light import suns_of
 from skydome.years.skies.cie_of_year import cie_types
+from skydome.years.skies.kinds_of_sky import KINDS, clear_sky_index, sky_kinds
 
 
 @pytest.fixture(scope="module")
@@ -56,3 +57,32 @@ def test_overcast_hours_have_overcast_types(days):
     assert (found[overcast] <= 6).mean() > 0.95
     assert (found[clear] >= 7).mean() > 0.95
     assert (found[(days.sun_elevation < 0).values] == 0).all()
+
+
+def test_kinds_of_hours(days):
+    found = sky_kinds(days)
+    kind, elevation, clearness = found.kind.values, days.sun_elevation.values, days.clearness.values
+    high = elevation > 10
+    assert ((kind > 0) == (days.luminance.values.any(axis=1) & (elevation > 0))).all()
+    assert (kind[high & (clearness < 1.05)] == KINDS.index("overcast")).mean() > 0.9
+    assert (kind[high & (clearness > 6.2)] == KINDS.index("clear")).mean() > 0.9
+    assert {"overcast", "partly cloudy", "clear"} == {KINDS[k] for k in np.unique(kind[high])}
+    edges = np.array([1.065, 1.23, 1.5, 1.95, 2.8, 4.5, 6.2])  # Perez et al. 1990, Table 1
+    lit = kind > 0
+    assert (found.perez_category.values[lit] == np.searchsorted(edges, clearness[lit], side="right") + 1).all()
+    assert (found.perez_category.values[~lit] == 0).all()
+
+
+def test_variability_is_the_change_to_the_neighbours():
+    """Two hours of one index are steady; one dark hour between changes as much to both sides."""
+    import pandas as pd
+
+    times = pd.date_range("2026-06-21T09:00", periods=5, freq="h", tz="UTC")
+    place = sd.Place(45.07, 7.69)
+    steady = sd.year(pd.DataFrame({"dni": 0.0, "dhi": 100.0}, index=times), place=place)
+    index = clear_sky_index(steady)
+    found = sky_kinds(steady).variability.values
+    assert found[0] == pytest.approx(abs(index[1] - index[0]))
+    assert found[2] == pytest.approx(np.sqrt(((index[2] - index[1]) ** 2 + (index[3] - index[2]) ** 2) / 2))
+    gap = sd.year(pd.DataFrame({"dni": 0.0, "dhi": 100.0}, index=times[[0, 1, 4]]), place=place)
+    assert np.isnan(sky_kinds(gap).variability.values).tolist() == [False, False, True]

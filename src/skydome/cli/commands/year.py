@@ -10,6 +10,7 @@ from skydome.cli.doors import STORE, progress, refuse_idle, require_output
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 from skydome.cli.spectral_map import steps
+from skydome.cli.weather_words import is_sites, minutes
 from skydome.ground.extras import required
 from skydome.ground.limits.sizes import MOST_WORKERS
 
@@ -39,6 +40,9 @@ def year(
     sun_in_patch: Annotated[bool, Option("--sun-in-patch", help="Put the sun's light into .mtx too.")] = False,
     suns: Annotated[Path | None, Option(help="Write the suns as Radiance sources: suns.rad.")] = None,
     plot: Annotated[Path | None, Option(help="Heat map and monthly domes: year.png, .svg or .pdf.")] = None,
+    kinds: Annotated[
+        Path | None, Option(help="Write the kind of each hour's sky, overcast to clear, as a table: kinds.csv.")
+    ] = None,
     label: Annotated[
         str | None,
         Option(metavar="end|start|middle", help="Where rows' times stand, if not where the format has them."),
@@ -65,7 +69,7 @@ def year(
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
     reading = {"label": label, "shift": minutes(shift), "place": None if place is None else Place.parse(place)}
     reading["utc_offset"] = utc_offset
-    require_outputs(output, suns, plot)
+    require_outputs(output, suns, plot, kinds)
     check_extras(output, plot)
     sites = is_sites(weather)
     if not sites:
@@ -82,7 +86,14 @@ def year(
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if sites:
-            alone = {**reading, "colour": colour, "wavelengths": wavelengths, "suns": suns, "plot": plot}
+            alone = {
+                **reading,
+                "colour": colour,
+                "wavelengths": wavelengths,
+                "suns": suns,
+                "plot": plot,
+                "kinds": kinds,
+            }
             alone["sun_in_patch"] = sun_in_patch
             plain = dict.fromkeys(alone) | {"utc_offset": 0.0, "sun_in_patch": False}
             refuse_idle(alone, plain, "for a table of sites")
@@ -90,7 +101,7 @@ def year(
             required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
         else:
-            facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot, overwrite)
+            facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot, kinds, overwrite)
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
     facts["notes"] = facts.get("notes", []) + notes
     show_facts(facts, as_json)
@@ -98,13 +109,14 @@ def year(
         raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
 
 
-def require_outputs(output: Path | None, suns: Path | None, plot: Path | None) -> None:
+def require_outputs(output: Path | None, suns: Path | None, plot: Path | None, kinds: Path | None) -> None:
     """ValueError or OSError, before any work, for files that could not be written in the end."""
     from skydome.figures.skies import FORMATS
 
     require_output(output, "-o", tuple(ENDINGS))
     require_output(suns, "--suns", (".rad",))
     require_output(plot, "a plot's file", FORMATS)
+    require_output(kinds, "--kinds", (".csv",))
 
 
 def is_store(output: Path) -> bool:
@@ -121,31 +133,6 @@ def check_extras(output: Path | None, plot: Path | None) -> None:
         required("matplotlib", "plot", "a plot")
 
 
-def minutes(text: str | None) -> float | str | None:
-    """The shift that --shift asks for; ValueError for what is neither auto nor minutes.
-
-    >>> minutes("auto"), minutes("-30"), minutes(None)
-    ('auto', -30.0, None)
-    """
-    if text is None or text == "auto":
-        return text
-    try:
-        return float(text)
-    except ValueError:
-        raise ValueError(f"--shift must be auto or minutes such as 30, got {text!r}") from None
-
-
-def is_sites(path: Path) -> bool:
-    """True for a table of sites (.csv), False for a TMY3 or any other file."""
-    from skydome.ground.arguments import require_file
-
-    if path.suffix.lower() != ".csv":
-        return False
-    with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
-        cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
-    return "file" in cells and "name" in cells
-
-
 def single(
     path: Path,
     reading: dict[str, Any],
@@ -155,9 +142,11 @@ def single(
     sun_in_patch: bool,
     suns: Path | None,
     plot: Path | None,
+    kinds: Path | None,
     overwrite: bool,
 ) -> dict[str, Any]:
     """One site's year, written and drawn; the facts to print."""
+    from skydome.years.skies.kinds_of_sky import write_kinds
     from skydome.years.stores.radiance_files import write_suns
     from skydome.years.stores.stores import write_year
     from skydome.years.weather.reading import read_weather
@@ -175,7 +164,10 @@ def single(
             from skydome.figures.years import year_figure
 
             save_figure(year_figure(data), plot)
-    return facts_of_year(data) | {"files": [str(file) for file in (output, suns, plot) if file is not None]}
+        facts = facts_of_year(data)
+        if kinds is not None:
+            facts["hours_by_kind"] = write_kinds(data, kinds)
+    return facts | {"files": [str(file) for file in (output, suns, plot, kinds) if file is not None]}
 
 
 def made_and_written(

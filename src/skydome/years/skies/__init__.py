@@ -9,6 +9,7 @@
 - sun_spectra        The sun's spectrum in every hour of a coloured year: clear air's, at the direct light measured
 - twilight           Twilight in a coloured year: hours without irradiance take the light of the clear sky itself
 - cie_of_year        Which of the CIE's fifteen skies each hour of a year is nearest to
+- kinds_of_sky       The kind of each hour's sky: overcast, partly cloudy or clear, and how unsteady its light is
 - clouds             Clouds in a coloured year: how much of an hour's light they send
 - overcast_light     Overcast light of a year: colour and spectrum of what comes through a layer of cloud
 """
