@@ -81,7 +81,7 @@ HOME = {
     "skies.night.zodiacal": "ZodiacalLight",
     "skies.night.airglow": "Airglow",
     "skies.night.skyglow": "SkyGlow",
-    "skies.night.magnitudes": "surface_magnitude",
+    "skies.night.magnitudes": "surface_magnitude v_magnitude",
     "skies.night.eclipse": "Eclipse",
     "skies.night.sky_at": "sky_at WholeSky",
     "skies.night.through_time": "light_at",

@@ -13,7 +13,9 @@ from skydome.skies.night.airglow import van_rhijn
 from skydome.skies.night.celestial import NODES, UNIT
 from skydome.skies.night.eclipse import Eclipse
 from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of, temperature_of
+from skydome.skies.night.scattering import GlowScattering, at_bands, toward
 from skydome.skies.night.skyglow import BORTLE
+from skydome.skies.night.through_air import Air
 from skydome.skies.night.under_cloud import under
 from skydome.skies.night.zodiacal import filled
 from skydome.stars.catalogue import EPOCH, hipparcos
@@ -112,7 +114,47 @@ def test_airglow_rises_toward_the_horizon_and_with_the_sun():
     np.testing.assert_allclose(van_rhijn(np.sin(np.array([90.0, 30.0]) * deg)), [1.0, 1.93], atol=0.02)
     quiet, active = (sd.Airglow(solar_flux=flux).luminance(sd.ZENITH) for flux in (80.0, 200.0))
     np.testing.assert_allclose(active / quiet, 275 / 145, rtol=1e-6)
-    np.testing.assert_allclose(sd.surface_magnitude(quiet), 27.78 - 2.5 * np.log10(145), atol=0.01)
+    in_v = sd.v_magnitude(sd.Airglow(solar_flux=80.0), sd.ZENITH)
+    np.testing.assert_allclose(in_v, 27.78 - 2.5 * np.log10(145), atol=0.005)
+
+
+def test_even_light_stays_even_over_white_ground():
+    """Air that takes nothing, over a ground that gives back all: whatever is scattered where, light is the same."""
+    air = sd.Atmosphere((sd.Molecules(), sd.Aerosol(0.1, albedo=1.0)), albedo=1.0)
+    views, bands = sd.direction(1.0, np.array([0.05, 2.0, 10.0, 45.0, 90.0]) * deg), np.array([420.0, 550.0, 650.0])
+    field = GlowScattering.of(air).field(lambda toward: np.ones(toward.shape[:-1]))
+    light = Air(air).transmittance(views[:, 2], bands) + toward(at_bands(field, bands), views)
+    np.testing.assert_allclose(light, 1.0, atol=0.01)
+
+
+def test_airglow_through_the_air_of_paranal_is_that_of_noll():
+    """What depth it looks as if there were, Noll et al. 2012, eq. 24 and 25, by their own Monte Carlo; 30 to 90 degrees."""
+    glow = sd.Airglow(sd.clear_air(0.05, pressure=74_400.0))
+    views, bands = sd.direction(0.0, np.array([30.0, 45.0, 90.0]) * deg), np.array([450.0, 550.0, 650.0])
+    rise, air = van_rhijn(views[:, 2]), glow.air
+    logarithm = np.log10(rise)[:, None]
+    molecules, low, ozone, high = air.depths(bands)
+    columns = (1.669 * logarithm - 0.146) * molecules + (1.732 * logarithm - 0.318) * (low + high) + ozone
+    wanted = rise[:, None] * np.exp(-columns / views[:, 2:])
+    found = glow.radiance(views, bands) / glow.spectrum(bands)
+    print(f"airglow over Noll's: {(found / wanted).round(3).tolist()}")
+    np.testing.assert_allclose(found, wanted, rtol=0.05)
+
+
+def test_a_dark_sky_ends_without_a_black_line():
+    """Along the horizon one sees what the air scatters, as bright as the sky above and not darker than the ground."""
+    night = sd.render(sd.sky_at(PLACE, MOONLESS), 256).luminance()
+    above, horizon, ground = (float(np.median(night[row])) for row in (100, 127, 128))
+    assert 0.4 * above < horizon < above
+    assert horizon > 2 * ground
+
+
+def test_v_of_the_sun_and_of_a_dark_sky():
+    """The sun has -26.76 (Willmer 2018); ESO's sky model V 21.83 at 130 units of flux, at the ecliptic's pole."""
+    from skydome.skies.night.magnitudes import V_BANDS, V_ZERO, v_weights
+
+    sun = -2.5 * np.log10(solar_irradiance(V_BANDS) @ v_weights() / V_ZERO)
+    assert sun == pytest.approx(-26.76, abs=0.01)
 
 
 def test_colour_of_a_dark_zenith():

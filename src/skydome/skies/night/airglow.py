@@ -7,16 +7,18 @@ import numpy as np
 
 from skydome.ground.limits.ranges import Range
 from skydome.ground.units import EARTH_RADIUS
-from skydome.light.spectrum import xyz_weights
-from skydome.skies.night.celestial import NightGlow
-from skydome.skies.night.magnitudes import luminance_of
-from skydome.skies.night.through_air import of_airglow
+from skydome.skies.night.celestial import GlowAbove
+from skydome.skies.night.magnitudes import SQUARE_ARCSECOND, V_BANDS, V_ZERO, v_weights
+from skydome.skies.night.scattering import at_bands
 
 LINES = {557.7: 250.0, 589.3: 60.0, 630.0: 80.0}
 """Rayleighs of oxygen's green, sodium's and oxygen's red line in the zenith, usual ones (Leinert et al. 1998) ..."""
 
 MEAN_FLUX = 140.0
 """... in the middle of the solar cycle, solar flux units."""
+
+MEAN_OF_A_CYCLE = 100.0
+"""What the flux is where nobody says: that of 2009-2019, the 24th cycle, was about 98; of cycles 19-23 129 (Noll 2012)."""
 
 CONTINUUM = {440.0: 1.3, 545.0: 1.0, 600.0: 1.4, 650.0: 1.5, 720.0: 4.7}
 """What the rest, hydroxyl's bands included, has at wavelengths, nm, over that at 545 nm.
@@ -38,49 +40,46 @@ WIDTH = 10.0
 LAYER = 90_000.0
 """Height of the glowing layer, m."""
 
-TENTH_STARS = float(luminance_of(27.78))
-"""Luminance of one star of the 10th magnitude a square degree, cd m-2."""
+TENTH_STARS = V_ZERO * 10 ** (-0.4 * 27.78) / SQUARE_ARCSECOND
+"""Radiance in V of one star of the 10th magnitude a square degree, W m-2 sr-1 nm-1."""
 
 
 @dataclass(frozen=True, eq=False)
-class Airglow(NightGlow):
+class Airglow(GlowAbove):
     """Airglow seen from the ground, by the sun's radio flux at 10.7 cm, in solar flux units.
 
     The zenith has 145 stars of the 10th magnitude a square degree at a flux of 80 and 275 at 200, in V (Benn and
-    Ellison 1998). It changes by a quarter from night to night, which no model knows.
+    Ellison 1998). Without one it is 100, about the mean of the last whole cycle of the sun (2009-2019); quiet years have
+    70, active ones 150-200. It changes by a quarter from night to night, which no model knows.
 
     >>> import skydome as sd
-    >>> from skydome.skies.night.magnitudes import surface_magnitude
-    >>> [round(float(surface_magnitude(Airglow(solar_flux=flux).luminance(sd.ZENITH))), 1) for flux in (80.0, 200.0)]
-    [22.4, 21.7]
+    >>> [round(float(sd.v_magnitude(Airglow(solar_flux=flux), sd.ZENITH)), 2) for flux in (80.0, 100.0, 200.0)]
+    [22.38, 22.22, 21.68]
     """
 
-    solar_flux: Any = 100.0
+    solar_flux: Any = MEAN_OF_A_CYCLE
     ranges: ClassVar = {"solar_flux": Range(60.0, 400.0)}
-    source: ClassVar[str] = "Benn and Ellison 1998; van Rhijn 1921; air by Noll et al. 2012"
+    source: ClassVar[str] = "Benn and Ellison 1998; van Rhijn 1921; air by the physical sky"
     bands: ClassVar[np.ndarray] = np.arange(380.0, 741.0, 10.0)
 
-    @property
-    def zenith(self) -> float:
-        """Luminance of the zenith, cd m-2."""
-        return level_at(self.solar_flux)
+    def outside(self, views: np.ndarray) -> np.ndarray:
+        """Its rise over the zenith's strength, (...,)."""
+        return van_rhijn(views[..., 2])
 
     def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
-        """Radiance of the zenith, W m-2 sr-1 nm-1, (W,): lines, and what is left of the level as a continuum."""
-        usual, weight = level_at(MEAN_FLUX), xyz_weights(self.bands)[:, 1]
-        rest = (usual - lines(self.bands) @ weight) / (continuum(self.bands) @ weight)
-        return np.asarray((lines(wavelengths) + rest * continuum(wavelengths)) * (self.zenith / usual))
+        """Of the zenith above the air, (W,): less what comes through it is what the ground has."""
+        overhead = self.air.transmittance(np.ones(()), wavelengths) + at_bands(self.scattered[-1, 0], wavelengths)
+        return np.asarray(self.zenith(wavelengths) / overhead)
 
-    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
-        """Radiance (..., W)."""
-        rise = van_rhijn(views[..., 2])
-        left = self.air.dimmed(views[..., 2], wavelengths, *of_airglow(rise))
-        overhead = self.air.dimmed(np.ones(()), wavelengths, *of_airglow(np.ones(())))
-        return np.asarray(rise[..., None] * self.spectrum(wavelengths) * left / overhead)
+    def zenith(self, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance of the zenith from the ground, (W,): lines, and what is left of the level as a continuum."""
+        usual, weights = level_at(MEAN_FLUX), v_weights()
+        rest = (usual - lines(V_BANDS) @ weights) / (continuum(V_BANDS) @ weights)
+        return np.asarray((lines(wavelengths) + rest * continuum(wavelengths)) * (level_at(self.solar_flux) / usual))
 
 
 def level_at(solar_flux: float) -> float:
-    """Luminance of the zenith at a solar flux, cd m-2 (Benn and Ellison 1998)."""
+    """Radiance of the zenith in V at a solar flux, W m-2 sr-1 nm-1 (Benn and Ellison 1998)."""
     return float(TENTH_STARS * (145.0 + 130.0 * (solar_flux - 80.0) / 120.0))
 
 

@@ -17,7 +17,8 @@ from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.night.held_dome import HeldDome
 from skydome.skies.night.stars import instant
-from skydome.skies.night.through_air import Air, air_of, of_celestial
+from skydome.skies.night.scattering import GlowScattering, at_bands, toward
+from skydome.skies.night.through_air import Air, air_of
 from skydome.sun.celestial import ecliptic_axes, place_axes
 from skydome.sun.place import Place
 from skydome.sun.times import Times
@@ -75,7 +76,40 @@ class NightGlow(SpectralSky):
 
 
 @dataclass(frozen=True, eq=False)
-class Celestial(NightGlow):
+class GlowAbove(NightGlow):
+    """A glow above the air, of one spectrum: what is left of the straight light, and what the air scatters of it."""
+
+    @abstractmethod
+    def outside(self, views: np.ndarray) -> np.ndarray:
+        """Its strength above the air toward views (..., 3), (...,)."""
+
+    @abstractmethod
+    def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
+        """Its spectral radiance where its strength is 1, W m-2 sr-1 nm-1, (W,)."""
+
+    @cached_property
+    def scattered(self) -> np.ndarray:
+        """What the air scatters toward the `VIEWS` of `scattering`, for a spectrum of 1, (V, A, W)."""
+        return GlowScattering.of(self.atmosphere).field(self.outside)
+
+    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance (..., W)."""
+        straight = self.outside(views)[..., None] * self.air.transmittance(views[..., 2], wavelengths)
+        beside = toward(at_bands(self.scattered, wavelengths), views)
+        return np.asarray((straight + beside) * self.spectrum(wavelengths))
+
+    def xyz(self, directions: Array) -> Array:
+        """The same in CIE XYZ, Y in cd m-2, (..., 3): of each elevation the air's transmittance is worked out once."""
+        views = np.asarray(checked_directions(directions), np.float64)
+        weights = self.spectrum(self.bands)[:, None] * xyz_weights(self.bands)
+        sines, where = np.unique(views[..., 2], return_inverse=True)
+        left = (self.air.transmittance(sines, self.bands) @ weights)[where.reshape(views.shape[:-1])]
+        beside = toward(at_bands(self.scattered, self.bands) @ weights, views)
+        return self.blanked(self.outside(views)[..., None] * left + beside, views)
+
+
+@dataclass(frozen=True, eq=False)
+class Celestial(GlowAbove):
     """Light from beyond the air, of a `turn` from the place's axes to those that it is known in, (3, 3)."""
 
     turn: Any = field(default=None, kw_only=True)
@@ -104,15 +138,9 @@ class Celestial(NightGlow):
     def brightness(self, toward: np.ndarray) -> np.ndarray:
         """What it sends at its own wavelength outside the air, W m-2 nm-1 sr-1, from directions (..., 3)."""
 
-    @abstractmethod
-    def spectrum(self, wavelengths: np.ndarray) -> np.ndarray:
-        """Its spectrum over that at its own wavelength, (W,)."""
-
-    def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
-        """Radiance (..., W), dimmed as Noll et al. 2012 have it for what glows all over."""
-        level = self.brightness(views @ np.asarray(self.turn).T)
-        left = self.air.dimmed(views[..., 2], wavelengths, *of_celestial(level / UNIT))
-        return np.asarray(level[..., None] * self.spectrum(wavelengths) * left)
+    def outside(self, views: np.ndarray) -> np.ndarray:
+        """As bright as it is at its own wavelength, W m-2 nm-1 sr-1, (...,)."""
+        return self.brightness(views @ np.asarray(self.turn).T)
 
 
 def sunward(utc: np.ndarray) -> np.ndarray:

@@ -3,9 +3,11 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.ground.arguments import numbers
+from skydome.ground.arguments import numbers, require_kind
+from skydome.ground.arrays import Array
 from skydome.ground.labels import keeps_labels
 from skydome.light.spectrum import xyz_weights
+from skydome.skies.colour_sky import SpectralSky
 
 ZERO = 2.54e-6
 """Illuminance of a star of magnitude 0 in V, outside the air, lx (Allen 1973, section 94)."""
@@ -15,6 +17,18 @@ SQUARE_ARCSECOND = (np.pi / 648_000) ** 2
 
 RADIATION = 0.014387769
 """Second constant of radiation, m K."""
+
+V_BAND = np.array([
+    0, 0.030, 0.163, 0.458, 0.780, 0.967, 1, 0.973, 0.898, 0.792, 0.684, 0.574,
+    0.461, 0.359, 0.270, 0.197, 0.135, 0.081, 0.045, 0.025, 0.017, 0.013, 0.009, 0,
+])  # fmt: skip
+"""How much of each photon counts in V, every 10 nm from 470 to 700 (Bessell 1990, table 2)."""
+
+V_BANDS = np.arange(470.0, 701.0, 10.0)
+"""These wavelengths, nm."""
+
+V_ZERO = 3.631e-11
+"""Irradiance of magnitude 0 in V, W m-2 nm-1 (Bessell, Castelli and Plez 1998, table A2)."""
 
 BANDS = np.arange(360.0, 831.0, 10.0)
 """Wavelengths at which starlight is known, nm."""
@@ -50,6 +64,28 @@ def surface_magnitude(luminance: ArrayLike) -> np.ndarray:
     if not lit.all():
         raise ValueError(f"luminance must be above 0 cd m-2, got {light[~lit].flat[0]:g}")
     return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / ZERO))
+
+
+def v_magnitude(sky: SpectralSky, directions: Array) -> np.ndarray:
+    """Magnitudes a square arcsecond in V of a sky toward each direction (..., 3), (...,), as photometers have it.
+
+    A dark sky is redder than sunlight, and the eye's curve lies further in the red than V does: of its luminance alone
+    `surface_magnitude` makes it brighter by .1.
+
+    >>> import skydome as sd
+    >>> glow = sd.Airglow(solar_flux=80.0)
+    >>> [round(float(value), 2) for value in (v_magnitude(glow, sd.ZENITH), surface_magnitude(glow.luminance(sd.ZENITH)))]
+    [22.38, 22.3]
+    """
+    require_kind(sky, SpectralSky, "sky", "sd.sky_at(place, time)")
+    light = np.asarray(sky.radiance(directions, V_BANDS)) @ v_weights()
+    return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / V_ZERO))
+
+
+def v_weights() -> np.ndarray:
+    """What makes the mean over V of radiances at `V_BANDS`, (W,)."""
+    photons = V_BAND * V_BANDS
+    return np.asarray(photons / photons.sum())
 
 
 def temperature_of(colour: ArrayLike) -> np.ndarray:

@@ -8,6 +8,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.clouds.cloud import Cloud
 from skydome.ground.arguments import require_kind, require_word
 from skydome.skies.colour_sky import SpectralCombination, SpectralSky
+from skydome.skies.night.airglow import MEAN_OF_A_CYCLE
 from skydome.skies.night.hour import GLOWS_SEEN, Hour
 from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.stars import instant
@@ -67,7 +68,7 @@ def sky_at(
     time: Times,
     air: Atmosphere | None = None,
     *,
-    solar_flux: float = 100.0,
+    solar_flux: float = MEAN_OF_A_CYCLE,
     glow: SkyGlow | None = None,
     clouds: Cloud | float | None = None,
     only: Iterable[str] | None = None,

@@ -33,7 +33,7 @@ class Starlight(Celestial):
     True
     """
 
-    source: ClassVar[str] = "Leinert et al. 1998, table 35; air by Noll et al. 2012"
+    source: ClassVar[str] = "Leinert et al. 1998, table 35; air by the physical sky"
 
     @staticmethod
     def own_axes(utc: np.ndarray) -> np.ndarray:

@@ -27,7 +27,7 @@ class ZodiacalLight(Celestial):
     True
     """
 
-    source: ClassVar[str] = "Leinert et al. 1998, tables 17 and 19; air by Noll et al. 2012"
+    source: ClassVar[str] = "Leinert et al. 1998, tables 17 and 19; air by the physical sky"
 
     @staticmethod
     def own_axes(utc: np.ndarray) -> np.ndarray:
