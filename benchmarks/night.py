@@ -11,6 +11,7 @@ import numpy as np
 import skydome as sd
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import xyz_weights
+from skydome.sun.refraction import standard_pressure
 
 PLACE, NEW_MOON = sd.Place(50.0, 8.0), np.datetime64("2026-04-16T17:00")
 
@@ -49,38 +50,40 @@ def light() -> None:
     print("at the end:", {name: f"{part[-1]:.2g}" for name, part in dusk[0.1].parts.items()})
     for name in FAINT:
         whole = sd.sky_at(PLACE, minutes[-1], only=name)
-        print(f"{name}: zenith {float(sd.surface_magnitude(whole.luminance(sd.ZENITH))):.2f} mag arcsec-2")
+        print(f"{name}: zenith {float(sd.v_magnitude(whole, sd.ZENITH)):.2f} mag arcsec-2 in V")
+
+
+BETWEEN_STARS = 15.0
+"""Starlight left between the stars that photometers leave out, stars of the 10th magnitude a square degree."""
 
 
 def zenith() -> None:
-    """Dark zeniths on the night of each new moon of 2026, two hours and two levels of the sun."""
-    new_moons = (
-        "01-18",
-        "02-17",
-        "03-19",
-        "04-17",
-        "05-16",
-        "06-15",
-        "07-14",
-        "08-12",
-        "09-11",
-        "10-10",
-        "11-09",
-        "12-09",
-    )
-    times = [np.datetime64(f"2026-{day}T21:00") + np.timedelta64(hours, "h") for day in new_moons for hours in (0, 3)]
-    for latitude in (45.0, -24.6):
-        place = sd.Place(latitude, 0.0, altitude=2000)
-        dark = [time for time in times if sd.sun_direction(place, time)[2] < np.sin(np.radians(-18.5))]
-        for flux in (70.0, 100.0):
-            skies = [sd.sky_at(place, time, solar_flux=flux) for time in dark]
-            glows = sum(np.stack([sky[name].luminance(sd.ZENITH) for sky in skies]) for name in FAINT)
-            found = sd.surface_magnitude(glows)
-            print(
-                f"latitude {latitude:g}, flux {flux:g}, {len(dark)} hours: {found.min():.2f} to {found.max():.2f}",
-                end="",
-            )
-            print(f", median {np.median(found):.2f} mag arcsec-2")
+    """Dark zeniths in V, each hour of a night a week through 2026: with all starlight, and between the stars."""
+    for where, latitude, altitude in (("La Palma", 28.76, 2400.0), ("Paranal", -24.6, 2600.0), ("45 N", 45.0, 500.0)):
+        place = sd.Place(latitude, 0.0, altitude=altitude)
+        air = sd.clear_air(0.05 if altitude > 1500 else 0.1, pressure=float(standard_pressure(altitude)))
+        weeks = np.datetime64("2026-01-01T00:00") + np.arange(52) * np.timedelta64(7, "D")
+        times = (weeks[:, None] + np.arange(-6, 7) * np.timedelta64(1, "h")).ravel()
+        dark = times[sd.sun_direction(place, times)[:, 2] < np.sin(np.radians(-18.0))]
+        dust = [tenth_stars(sd.ZodiacalLight.over(place, time, air)) for time in dark]
+        stars = [tenth_stars(sd.Starlight.over(place, time, air)) for time in dark]
+        print(f"{where}, {len(dark)} hours: zodiacal light {spread(dust, 0)}, starlight {spread(stars, 0)}")
+        for flux in (70.0, 100.0, 129.0, 200.0):
+            airglow = tenth_stars(sd.Airglow(air, solar_flux=flux))
+            for of, light in (("all starlight", np.array(stars)), ("between the stars", BETWEEN_STARS)):
+                found = 27.78 - 2.5 * np.log10(airglow + np.array(dust) + light)
+                inside = np.mean((found >= 21.6) & (found <= 22.1))
+                print(f"  flux {flux:g}, airglow {airglow:.0f}, {of}: {spread(found, 2)}, {inside:.0%} in 21.6-22.1")
+
+
+def tenth_stars(sky: sd.Sky) -> float:
+    """The zenith in V, stars of the 10th magnitude a square degree."""
+    return float(10 ** (-0.4 * (sd.v_magnitude(sky, sd.ZENITH) - 27.78)))
+
+
+def spread(values: list[float] | np.ndarray, digits: int) -> str:
+    """Least, median, most."""
+    return " / ".join(f"{value:.{digits}f}" for value in np.percentile(values, [0, 50, 100]))
 
 
 def tracer() -> None:

@@ -143,6 +143,7 @@ from skydome.skies.neural.sky import NeuralSpectralSky as NeuralSpectralSky
 from skydome.skies.night.airglow import Airglow as Airglow
 from skydome.skies.night.eclipse import Eclipse as Eclipse
 from skydome.skies.night.magnitudes import surface_magnitude as surface_magnitude
+from skydome.skies.night.magnitudes import v_magnitude as v_magnitude
 from skydome.skies.night.moon.lunar_eclipse import LunarEclipse as LunarEclipse
 from skydome.skies.night.moon.moon_disc import MoonDisc as MoonDisc
 from skydome.skies.night.moon.moonlight import Moonlight as Moonlight

@@ -128,7 +128,7 @@ def test_even_light_stays_even_over_white_ground():
 
 
 def test_airglow_through_the_air_of_paranal_is_that_of_noll():
-    """What depth it looks as if there were, Noll et al. 2012, eq. 24 and 25, by their own Monte Carlo; 30 to 90 degrees."""
+    """What depth it looks as if there were, Noll et al. 2012, eq. 24 and 25, 30 to 90 degrees."""
     glow = sd.Airglow(sd.clear_air(0.05, pressure=74_400.0))
     views, bands = sd.direction(0.0, np.array([30.0, 45.0, 90.0]) * deg), np.array([450.0, 550.0, 650.0])
     rise, air = van_rhijn(views[:, 2]), glow.air
@@ -149,8 +149,8 @@ def test_a_dark_sky_ends_without_a_black_line():
     assert horizon > 2 * ground
 
 
-def test_v_of_the_sun_and_of_a_dark_sky():
-    """The sun has -26.76 (Willmer 2018); ESO's sky model V 21.83 at 130 units of flux, at the ecliptic's pole."""
+def test_the_sun_in_v():
+    """Willmer 2018."""
     from skydome.skies.night.magnitudes import V_BANDS, V_ZERO, v_weights
 
     sun = -2.5 * np.log10(solar_irradiance(V_BANDS) @ v_weights() / V_ZERO)

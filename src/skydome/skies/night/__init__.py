@@ -4,6 +4,7 @@
 - through_air   What the air does to the light of the heavens
 - moon/         The moon: its disc, the sky that it lights, eclipses in the earth's shadow
 - stars         Stars and planets as points of light through the air
+- scattering    Light that glows all over the sky, as the physical sky scatters it
 - held_dome     A smooth sky's colours on a fine grid of the dome, for maps
 - celestial     Light from beyond the air that glows all over the sky: what its kinds share
 - zodiacal      Zodiacal light: sunlight on the dust between the planets

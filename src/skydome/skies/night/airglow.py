@@ -18,7 +18,7 @@ MEAN_FLUX = 140.0
 """... in the middle of the solar cycle, solar flux units."""
 
 MEAN_OF_A_CYCLE = 100.0
-"""What the flux is where nobody says: that of 2009-2019, the 24th cycle, was about 98; of cycles 19-23 129 (Noll 2012)."""
+"""What the flux is where nobody says: cycle 24 (2009-2019) had about 98, cycles 19-23 129 (Noll et al. 2012)."""
 
 CONTINUUM = {440.0: 1.3, 545.0: 1.0, 600.0: 1.4, 650.0: 1.5, 720.0: 4.7}
 """What the rest, hydroxyl's bands included, has at wavelengths, nm, over that at 545 nm.
@@ -49,12 +49,12 @@ class Airglow(GlowAbove):
     """Airglow seen from the ground, by the sun's radio flux at 10.7 cm, in solar flux units.
 
     The zenith has 145 stars of the 10th magnitude a square degree at a flux of 80 and 275 at 200, in V (Benn and
-    Ellison 1998). Without one it is 100, about the mean of the last whole cycle of the sun (2009-2019); quiet years have
-    70, active ones 150-200. It changes by a quarter from night to night, which no model knows.
+    Ellison 1998). The default is about the mean of the sun's last whole cycle (2009-2019); quiet years have 70, active
+    ones 150-200. It changes by a quarter from night to night, which no model knows.
 
     >>> import skydome as sd
     >>> [round(float(sd.v_magnitude(Airglow(solar_flux=flux), sd.ZENITH)), 2) for flux in (80.0, 100.0, 200.0)]
-    [22.38, 22.22, 21.68]
+    [22.38, 22.23, 21.68]
     """
 
     solar_flux: Any = MEAN_OF_A_CYCLE
@@ -62,7 +62,7 @@ class Airglow(GlowAbove):
     source: ClassVar[str] = "Benn and Ellison 1998; van Rhijn 1921; air by the physical sky"
     bands: ClassVar[np.ndarray] = np.arange(380.0, 741.0, 10.0)
 
-    def outside(self, views: np.ndarray) -> np.ndarray:
+    def strength(self, views: np.ndarray) -> np.ndarray:
         """Its rise over the zenith's strength, (...,)."""
         return van_rhijn(views[..., 2])
 

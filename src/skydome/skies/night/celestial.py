@@ -16,8 +16,8 @@ from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.night.held_dome import HeldDome
-from skydome.skies.night.stars import instant
 from skydome.skies.night.scattering import GlowScattering, at_bands, toward
+from skydome.skies.night.stars import instant
 from skydome.skies.night.through_air import Air, air_of
 from skydome.sun.celestial import ecliptic_axes, place_axes
 from skydome.sun.place import Place
@@ -80,7 +80,7 @@ class GlowAbove(NightGlow):
     """A glow above the air, of one spectrum: what is left of the straight light, and what the air scatters of it."""
 
     @abstractmethod
-    def outside(self, views: np.ndarray) -> np.ndarray:
+    def strength(self, views: np.ndarray) -> np.ndarray:
         """Its strength above the air toward views (..., 3), (...,)."""
 
     @abstractmethod
@@ -90,11 +90,11 @@ class GlowAbove(NightGlow):
     @cached_property
     def scattered(self) -> np.ndarray:
         """What the air scatters toward the `VIEWS` of `scattering`, for a spectrum of 1, (V, A, W)."""
-        return GlowScattering.of(self.atmosphere).field(self.outside)
+        return GlowScattering.of(self.atmosphere).field(self.strength)
 
     def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """Radiance (..., W)."""
-        straight = self.outside(views)[..., None] * self.air.transmittance(views[..., 2], wavelengths)
+        straight = self.strength(views)[..., None] * self.air.transmittance(views[..., 2], wavelengths)
         beside = toward(at_bands(self.scattered, wavelengths), views)
         return np.asarray((straight + beside) * self.spectrum(wavelengths))
 
@@ -105,7 +105,7 @@ class GlowAbove(NightGlow):
         sines, where = np.unique(views[..., 2], return_inverse=True)
         left = (self.air.transmittance(sines, self.bands) @ weights)[where.reshape(views.shape[:-1])]
         beside = toward(at_bands(self.scattered, self.bands) @ weights, views)
-        return self.blanked(self.outside(views)[..., None] * left + beside, views)
+        return self.blanked(self.strength(views)[..., None] * left + beside, views)
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,7 +138,7 @@ class Celestial(GlowAbove):
     def brightness(self, toward: np.ndarray) -> np.ndarray:
         """What it sends at its own wavelength outside the air, W m-2 nm-1 sr-1, from directions (..., 3)."""
 
-    def outside(self, views: np.ndarray) -> np.ndarray:
+    def strength(self, views: np.ndarray) -> np.ndarray:
         """As bright as it is at its own wavelength, W m-2 nm-1 sr-1, (...,)."""
         return self.brightness(views @ np.asarray(self.turn).T)
 

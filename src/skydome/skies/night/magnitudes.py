@@ -59,13 +59,10 @@ def surface_magnitude(luminance: ArrayLike) -> np.ndarray:
     >>> float(surface_magnitude(luminance_of(21.5)).round(6))
     21.5
     """
-    light = numbers(luminance, "luminance")
-    lit = light > 0
-    if not lit.all():
-        raise ValueError(f"luminance must be above 0 cd m-2, got {light[~lit].flat[0]:g}")
-    return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / ZERO))
+    return magnitude_over(ZERO, numbers(luminance, "luminance"), "luminance", "cd m-2")
 
 
+@keeps_labels("mag arcsec-2", directions=1)
 def v_magnitude(sky: SpectralSky, directions: Array) -> np.ndarray:
     """Magnitudes a square arcsecond in V of a sky toward each direction (..., 3), (...,), as photometers have it.
 
@@ -74,12 +71,19 @@ def v_magnitude(sky: SpectralSky, directions: Array) -> np.ndarray:
 
     >>> import skydome as sd
     >>> glow = sd.Airglow(solar_flux=80.0)
-    >>> [round(float(value), 2) for value in (v_magnitude(glow, sd.ZENITH), surface_magnitude(glow.luminance(sd.ZENITH)))]
-    [22.38, 22.3]
+    >>> round(float(v_magnitude(glow, sd.ZENITH)), 2), round(float(surface_magnitude(glow.luminance(sd.ZENITH))), 2)
+    (22.38, 22.29)
     """
     require_kind(sky, SpectralSky, "sky", "sd.sky_at(place, time)")
     light = np.asarray(sky.radiance(directions, V_BANDS)) @ v_weights()
-    return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / V_ZERO))
+    return magnitude_over(V_ZERO, light, "light toward directions", "W m-2 sr-1 nm-1 in V")
+
+
+def magnitude_over(zero: float, light: np.ndarray, what: str, unit: str) -> np.ndarray:
+    """Magnitudes a square arcsecond of light (...,), `zero` a star of magnitude 0; ValueError where there is none."""
+    if not (light > 0).all():
+        raise ValueError(f"{what} must be above 0 {unit}, got {light[~(light > 0)].flat[0]:g}")
+    return np.asarray(-2.5 * np.log10(light * SQUARE_ARCSECOND / zero))
 
 
 def v_weights() -> np.ndarray:

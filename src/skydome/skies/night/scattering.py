@@ -17,7 +17,7 @@ from skydome.ground.quadrature import crowded
 from skydome.skies.all_air.sky import PhysicalSky
 
 RINGS, TURNS = 12, 32
-"""Elevations, crowded at the horizon, and azimuths of what light comes from: finer ones change .3 % of airglow, 1 % of starlight."""
+"""Elevations, crowded at the horizon, and azimuths of sources: twice as many change airglow by .3, starlight by 1 %."""
 
 VIEWS = np.linspace(0.0, 1.0, 28) ** 2
 """Sines of elevations at which the light is known."""

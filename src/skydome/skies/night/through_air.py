@@ -13,6 +13,7 @@ from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import as_seen
 from skydome.skies.all_air.taught_air import clear_air
 
+
 def air_of(given: Atmosphere | None) -> Atmosphere:
     """The air that was given, or `clear_air`; TypeError for what is none."""
     require_kind(given, Atmosphere | None, "air", "sd.clear_air()")
