@@ -18,7 +18,7 @@ import numpy as np
 
 from skydome.air.clouds.phases import knots
 from skydome.air.mie import angular, coefficients
-from skydome.air.phase_functions import legendre
+from skydome.air.series.legendre import legendre
 from skydome.air.size_distributions import GammaSizes
 
 TARGET = Path(__file__).parents[1] / "src" / "skydome" / "ground" / "data" / "cloud_droplets.npz"

@@ -12,8 +12,9 @@ from skydome.air.cross_sections import (
     rayleigh_depth,
     solar_irradiance,
 )
-from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, LegendreSeries, PhaseLaw, Rayleigh
+from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw, Rayleigh
 from skydome.air.profiles import OZONE_LAYER, Exponential, Tabulated
+from skydome.air.series.legendre_series import LegendreSeries
 from skydome.ground.tables import columns
 from skydome.light.spectrum import Spectrum
 

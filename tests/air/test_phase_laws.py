@@ -9,8 +9,9 @@ import skydome as sd
 from skydome import deg
 from skydome.air.clouds.particles import Ice, Water
 from skydome.air.constituents import Aerosol
-from skydome.air.phase_functions import legendre
-from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, LegendreSeries, PhaseLaw, Rayleigh
+from skydome.air.phase_laws import CornetteShanks, Haze, HenyeyGreenstein, PhaseLaw, Rayleigh
+from skydome.air.series.legendre import legendre
+from skydome.air.series.legendre_series import LegendreSeries
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.all_air.low_aerosol import FoldedLaw
 

@@ -9,6 +9,7 @@
 - rays                Straight rays through spherical shells: where they end, how much of each constituent lies on them
 - phase_functions     Phase functions: how much of the light that air and haze scatter goes which way, per steradian
 - phase_laws          Phase functions as objects: their value, and their Legendre moments for solvers that want them
+- series/             Phase functions by their Legendre moments, tabulated where they are long
 - size_distributions  How large the particles of an aerosol are: lognormal, Junge, gamma
 - mie                 Mie theory for particles of many sizes: extinction, albedo and phase function by wavelength
 - turbidity           Turbidity from what people know: how far they see, Linke's factor, a place and a month

@@ -20,8 +20,8 @@ import numpy as np
 
 from skydome.air.constituents import DEPTH, Aerosol, Molecules
 from skydome.air.cross_sections import carbon_dioxide_cross_section, carbon_dioxide_king_factor
-from skydome.air.phase_laws import LegendreSeries
 from skydome.air.profiles import Exponential
+from skydome.air.series.legendre_series import LegendreSeries
 from skydome.ground.limits.ranges import require
 from skydome.ground.tables import archive
 from skydome.light.spectrum import Spectrum

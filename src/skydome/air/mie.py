@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air.constituents import Aerosol, at
-from skydome.air.phase_functions import legendre
-from skydome.air.phase_laws import LegendreSeries
 from skydome.air.profiles import Exponential, Profile
+from skydome.air.series.legendre import legendre
+from skydome.air.series.legendre_series import LegendreSeries
 from skydome.air.size_distributions import SizeDistribution
 from skydome.ground.arrays import Array
 from skydome.ground.extras import required

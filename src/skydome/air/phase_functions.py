@@ -4,15 +4,12 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from skydome.ground.arguments import numbers
 from skydome.ground.arrays import Array, constant, floating, namespace, safe_sqrt
 from skydome.ground.interpolation import spline, weights
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
-
-CHUNK = 4096
 
 
 class ClosedForm(NamedTuple):
@@ -144,21 +141,3 @@ def eta_spline() -> tuple[np.ndarray, np.ndarray]:
     knots = table["theta_deg"]
     values = np.log(np.stack([table[name] for name in ("400", "450", "550", "650", "850")], axis=-1))
     return knots, spline(knots, values)
-
-
-def legendre(count: int, cosine: np.ndarray) -> Array:
-    """Legendre polynomials P_0 .. P_(count - 1) of the cosine (N,), shape (count, N)."""
-    rows = [np.ones_like(cosine), cosine]
-    for n in range(1, count - 1):
-        rows.append(((2 * n + 1) * cosine * rows[-1] - n * rows[-2]) / (n + 1))
-    return np.stack(rows[:count])
-
-
-def series_sum(moments: np.ndarray, cosine: ArrayLike) -> Array:
-    """Sum of (2 l + 1) chi_l P_l(cos) / (4 pi) for moments (L, W) at cosines (...,), (..., W)."""
-    cosine, count = np.asarray(cosine, dtype=np.float64), len(moments)
-    strength = moments * (2 * np.arange(count)[:, None] + 1) / (4 * np.pi)
-    flat, result = cosine.ravel(), np.empty((cosine.size, strength.shape[1]))
-    for start in range(0, flat.size, CHUNK):
-        result[start : start + CHUNK] = legendre(count, flat[start : start + CHUNK]).T @ strength
-    return result.reshape(*cosine.shape, -1)

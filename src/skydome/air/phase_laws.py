@@ -2,19 +2,17 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from hashlib import sha256
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.air import phase_functions
-from skydome.air.phase_functions import ClosedForm, legendre, series_sum
-from skydome.ground.arguments import numbers
+from skydome.air.phase_functions import ClosedForm
+from skydome.air.series.legendre import legendre
 from skydome.ground.arrays import Array, constant, floating, is_numpy, namespace
 from skydome.ground.limits.ranges import FINITE, HeldBySky, Range, require
 from skydome.ground.quadrature import gauss_legendre
-from skydome.light.spectrum import Spectrum
 
 
 class PhaseLaw(HeldBySky, ABC):
@@ -32,6 +30,11 @@ class PhaseLaw(HeldBySky, ABC):
         by so much. 0 for laws that tell nothing of polarisation.
         """
         return spread(0.0 * floating(cosine), wavelengths)
+
+    @property
+    def straight_between(self) -> np.ndarray | None:
+        """Wavelengths (W,), nm, between which its values are straight lines, and held outside; None for other laws."""
+        return None
 
     @property
     def closed(self) -> ClosedForm | None:
@@ -187,59 +190,6 @@ class Haze(PhaseLaw):
     def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
         """Interpolated in angle and wavelength."""
         return phase_functions.haze(floating(cosine), wavelengths)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class LegendreSeries(PhaseLaw):
-    """A phase function as its Legendre moments (L, W) at `wavelengths` (W,), nm, the first of each 1.
-
-    p(cos) = sum of (2 l + 1) chi_l P_l(cos) / (4 pi), so that its integral is 1 to rounding. The moments are linear
-    between the wavelengths and held outside. ValueError unless the first moments are 1 and p is not negative.
-    `polarising`: moments (L, W) of `polarised`; None: light scattered once is unpolarised.
-
-    >>> law = LegendreSeries([550.0], [[1.0], [0.0], [0.1]])     # Rayleigh's
-    >>> law.value(np.array([1.0]), [550.0]).round(4).tolist() == [[round(3 / (8 * np.pi), 4)]]
-    True
-    """
-
-    wavelengths: Any
-    series: Any
-    polarising: Any = None
-    bounds: ClassVar = dict.fromkeys(("wavelengths", "series", "polarising"), FINITE)
-    wavelengths_alike: ClassVar[bool] = False
-
-    def __post_init__(self) -> None:
-        known = Spectrum(self.wavelengths, self.series)
-        if known.values.ndim != 2 or len(known.values) < 2:
-            raise ValueError(f"a series must have shape (L, W) with L >= 2, got {known.values.shape}")
-        if not np.allclose(known.values[0], 1.0, rtol=0, atol=1e-9):
-            raise ValueError(f"the first moment must be 1, got {known.values[0].tolist()}")
-        object.__setattr__(self, "wavelengths", known.wavelengths)
-        object.__setattr__(self, "series", known.values)
-        least = self.value(np.cos(np.linspace(0, np.pi, 361)), known.wavelengths).min()
-        if least < 0:
-            raise ValueError(f"a phase function must not be negative, got {least:.3g} sr-1 by its moments")
-
-    def __repr__(self) -> str:
-        """Tells different series apart, however long."""
-        mark = sha256(self.wavelengths.tobytes() + self.series.tobytes()).hexdigest()[:16]
-        return f"LegendreSeries({len(self.series)} moments at {self.wavelengths.size} wavelengths, {mark})"
-
-    def value(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
-        """The series' sum."""
-        return series_sum(self.moments(len(self.series), wavelengths), cosine)
-
-    def polarised(self, cosine: ArrayLike, wavelengths: ArrayLike) -> Array:
-        """The sum of the other series."""
-        if self.polarising is None:
-            return super().polarised(cosine, wavelengths)
-        moments = Spectrum(self.wavelengths, self.polarising).at(np.atleast_1d(numbers(wavelengths, "wavelengths")))
-        return series_sum(moments, cosine)
-
-    def moments(self, count: int, wavelengths: ArrayLike) -> Array:
-        """The moments, 0 beyond the series' end."""
-        there = Spectrum(self.wavelengths, self.series[:count]).at(np.atleast_1d(numbers(wavelengths, "wavelengths")))
-        return np.concatenate([there, np.zeros((count - len(there), there.shape[1]))])
 
 
 def spread(values: np.ndarray, wavelengths: ArrayLike) -> Array:

@@ -8,7 +8,8 @@ import pytest
 import skydome as sd
 from skydome import deg
 from skydome.air.constituents import Aerosol
-from skydome.air.phase_laws import HenyeyGreenstein, LegendreSeries
+from skydome.air.phase_laws import HenyeyGreenstein
+from skydome.air.series.legendre_series import LegendreSeries
 from skydome.skies.all_air.low_aerosol import LowAerosol, straight_part
 
 WAVELENGTHS = np.array([450.0, 650.0])

@@ -18,6 +18,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Constituent
 from skydome.air.phase_functions import henyey_greenstein
 from skydome.air.phase_laws import PhaseLaw
+from skydome.air.series.legendre import combined, legendre, strengths
 from skydome.ground.arrays import Array, at_least, constant, is_numpy, limited, namespace, safe_divide
 from skydome.skies.all_air.blocks import Block, part_of
 
@@ -107,13 +108,8 @@ class LowAerosol(NamedTuple):
     def folded(self, laws: Sequence[PhaseLaw], glow: Array, wavelengths: np.ndarray) -> Array:
         """The law of light that these have scattered twice, sr-1, (..., W), by its moments: the squares of theirs."""
         each = [same(law.moments(TERMS, wavelengths), glow) for law in laws]
-        before, here = 0.0 * glow, 0.0 * glow + 1
-        found: Array = 0.0
-        for order in range(TERMS):
-            moment = weighted(self.shares, [moments[order] for moments in each])
-            found = found + (2 * order + 1) / (4 * np.pi) * here[..., None] * moment * moment
-            before, here = here, ((2 * order + 1) * glow * here - order * before) / (order + 1)
-        return found
+        mixed = [weighted(self.shares, [moments[order] for moments in each]) for order in range(TERMS)]
+        return combined(legendre(TERMS, glow), strengths(namespace(glow).stack([one * one for one in mixed])))
 
 
 class Orders(NamedTuple):

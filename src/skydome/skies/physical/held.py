@@ -164,8 +164,11 @@ def shapes_of(laws: Sequence[PhaseLaw], cosine: np.ndarray) -> np.ndarray:
 
 
 def pivots(law: PhaseLaw) -> np.ndarray:
-    """Wavelengths at which a phase law is kept."""
-    return PIVOTS[:1] if law.wavelengths_alike else PIVOTS
+    """Wavelengths at which a phase law is kept: its own, where it is known by few."""
+    if law.wavelengths_alike:
+        return PIVOTS[:1]
+    own = law.straight_between
+    return own if own is not None and len(own) <= len(PIVOTS) else PIVOTS
 
 
 def mixture(law: PhaseLaw, wavelengths: np.ndarray) -> np.ndarray:

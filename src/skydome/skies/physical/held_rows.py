@@ -77,10 +77,10 @@ class HeldRows:
             return [form.value(away) for form in self.forms if form]
         place = np.minimum(np.sqrt(away / 2), 1) * (CHORDS - 1)
         first = np.minimum(place.astype(np.int64), CHORDS - 2)
-        share, table = place - first, self.table.astype(away.dtype)
+        share, table = place - first, np.ascontiguousarray(self.table.T, away.dtype)
         return [
-            form.value(away) if form else table[first, k] + (table[first + 1, k] - table[first, k]) * share
-            for k, form in enumerate(self.forms)
+            form.value(away) if form else row.take(first) + np.diff(row).take(first) * share
+            for form, row in zip(self.forms, table, strict=True)
         ]
 
     def on_level(self) -> np.ndarray:

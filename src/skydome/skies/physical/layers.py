@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.phase_functions import legendre
+from skydome.air.series.legendre import legendre
 from skydome.ground.arrays import Array
 
 LEVELS = np.array([1, 0.7, 0.5, 0.4, 0.3, 0.25, 0.2, 0.16, 0.13, 0.1, 0.08, 0.06, 0.045, 0.03, 0.02, 0.01, 0.005, 0])

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.phase_functions import legendre
 from skydome.air.phase_laws import PhaseLaw
+from skydome.air.series.legendre import legendre
 from skydome.skies.physical.precomputed.grid import Sizes, columns, shell_of
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
