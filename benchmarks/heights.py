@@ -1,65 +1,104 @@
-"""The physical sky from heights against DISORT's light inside the air: `python benchmarks/heights.py`.
+"""Skies from heights against paths, random airs: `python benchmarks/heights.py [paths | low]`.
 
-DISORT looks up from levels in 30 flat layers, its beam in round ones, with 48 streams and no forward peak cut off
-(aerosol of one lobe, g .7). Rows for docs/models/physical.md: rms and mean over 12 views from 10 degrees up, a cell for
-each wavelength. Half a CPU minute.
+The paths are those of benchmarks/precomputed.py (null collisions, all orders, ground), which share nothing with the sky
+but how deep the air is out to space. For each height 8 airs at one wavelength each, 12 views: 8 anywhere from 85
+degrees down to 85 up, 4 within 6 degrees of the horizontal. With 30,000 paths a view 4 CPU minutes.
+`low`: low and set suns against tables of all orders (`ScatteringTables`).
 """
 
+import sys
+import time
 from dataclasses import replace
+from pathlib import Path
 
-import nanodisort
 import numpy as np
 
 import skydome as sd
 from skydome.ground.arrays import Array
-from skydome.skies.physical import layers
+from skydome.skies.physical.precomputed.grid import Sizes, shell_of
+from skydome.skies.physical.precomputed.medium import medium
+from skydome.skies.physical.precomputed.observer import lines
 
-HEIGHTS, WAVELENGTHS = np.array([0.0, 3000.0, 10_000.0, 20_000.0]), np.array([450.0, 550.0, 700.0])
-ELEVATIONS, AZIMUTHS = np.array([10.0, 20.0, 40.0, 70.0]), np.array([0.0, 60.0, 180.0])
-BETWEEN = (0.0015, 0.0035, 0.0075, 0.015, 0.025, 0.035, 0.055, 0.07, 0.09, 0.115, 0.145, 0.18, 0.23)
+sys.path.insert(0, str(Path(__file__).parent))
+from precomputed import LOWEST_SUN, mean_of_paths
 
-
-def from_within(air: sd.Atmosphere, sine: float, streams: int = 48) -> Array:
-    """Radiance for a sun of irradiance 1 at `HEIGHTS`, sr-1, (heights, elevations, azimuths, W)."""
-    layers.LEVELS = np.unique([*layers.LEVELS, *BETWEEN])[::-1]
-    cut = layers.layered(air, WAVELENGTHS, streams)
-    edges = layers.LEVELS * air.height
-    light = np.zeros((HEIGHTS.size, ELEVATIONS.size, AZIMUTHS.size, WAVELENGTHS.size))
-    for w in range(WAVELENGTHS.size):
-        state = nanodisort.DisortState()
-        state.nstr, state.nlyr, state.nmom = streams, len(cut.depth), streams
-        state.ntau, state.numu, state.nphi = HEIGHTS.size, ELEVATIONS.size, AZIMUTHS.size
-        state.usrtau = state.usrang = state.lamber = state.quiet = state.spher = True
-        state.intensity_correction = state.old_intensity_correction = True
-        state.planck = state.onlyfl = False
-        state.umu0, state.phi0, state.fbeam, state.albedo = sine, 0.0, 1.0, float(air.albedo_at(WAVELENGTHS)[w])
-        state.allocate()
-        state.radius, state.zd = cut.radii[-1] / 1000, (cut.radii - cut.radii[-1]) / 1000
-        state.dtauc, state.ssalb = cut.depth[:, w].copy(), cut.scattered[:, w].copy()
-        state.pmom = cut.moments[:, :, w].copy()
-        above = np.append(0.0, np.cumsum(cut.depth[:, w]))
-        state.utau = np.sort([above[np.argmin(np.abs(edges - height))] for height in HEIGHTS])
-        state.umu, state.phi = -np.sin(np.radians(ELEVATIONS))[::-1], AZIMUTHS
-        state.solve()
-        light[..., w] = np.moveaxis(np.asarray(state.uu), 0, 1)[::-1, ::-1]
-    return light
+HEIGHTS = (100.0, 500.0, 1000.0, 3000.0, 10_000.0, 20_000.0, 30_000.0)
+AIRS = 8
 
 
-def main() -> None:
-    """Print the rows."""
-    views = sd.direction(*(part.T for part in np.meshgrid(np.radians(AZIMUTHS), np.radians(ELEVATIONS), indexing="xy")))
-    views = np.moveaxis(views, 0, 1)
-    for elevation, depth, ground in ((60, 0.1, 0.2), (25, 0.1, 0.2), (25, 0.3, 0.6), (10, 0.1, 0.2)):
-        air = replace(sd.Atmosphere.standard(depth, 0.7, albedo=ground), gases=None)
-        sun = sd.direction(0.0, elevation * sd.deg)
-        peer = from_within(air, float(sun[2]))
-        for height, seen in zip(HEIGHTS, peer, strict=True):
-            sky = sd.PhysicalSky.from_height(sun, float(height), air)
-            off = 100 * (np.asarray(sky.radiance(views, WAVELENGTHS)) / air.sun_at(WAVELENGTHS) / seen - 1)
-            rms, mean = np.sqrt(np.mean(off**2, axis=(0, 1))), off.mean(axis=(0, 1))
-            cells = " | ".join(f"{a:.1f} ({b:+.1f})" for a, b in zip(rms, mean, strict=True))
-            print(f"| {elevation}, {depth}, {ground} | {height / 1000:g} | {cells} |", seen[2, 1].round(5).tolist())
+def traced(air: sd.Atmosphere, w: np.ndarray, height: float, views: np.ndarray, sun: np.ndarray, count: int) -> Array:
+    """Light (sr-1) for a sun of irradiance 1 and its standard error, (views, 2)."""
+    given, steps = medium(air, w, Sizes(directions=128), LOWEST_SUN), np.linspace(0, air.height, 4096)
+    extinction = sum(part.profile.density(steps) * part.depth(w)[0] for part in air.constituents)
+    line = lines(shell_of(air, LOWEST_SUN), height, views, sun)
+    starts = zip(line.radius, line.mu, line.mu_s, line.nu, strict=True)
+    seeds = 1 + 1_000_003 * np.arange(len(views))
+    found = [
+        mean_of_paths(*start, given, extinction, extinction.max(), count, seed)
+        for start, seed in zip(starts, seeds, strict=True)
+    ]
+    return np.array(found)
+
+
+def drawn(random: np.random.Generator, sines: tuple[float, float]) -> tuple[sd.Atmosphere, np.ndarray, np.ndarray]:
+    """An air, a wavelength (1,) and a sun."""
+    air = sd.clear_air(
+        random.uniform(0.03, 0.5),
+        asymmetry=random.uniform(0.6, 0.85),
+        ozone=random.uniform(200, 500),
+        albedo=random.uniform(0, 0.8),
+        aerosol_albedo=random.uniform(0.75, 1.0),
+        angstrom=random.uniform(0.5, 1.8),
+    )
+    sun = sd.direction(0.0, np.arcsin(random.uniform(*sines)))
+    return replace(air, gases=None), random.uniform(400, 700, 1), sun
+
+
+def judged(height: float, sines: tuple[float, float], count: int) -> tuple[np.ndarray, ...]:
+    """Errors of the sky, the noise of the paths, and the views' elevations in degrees."""
+    found = []
+    for number in range(AIRS):
+        random = np.random.default_rng((int(height), number))
+        air, w, sun = drawn(random, sines)
+        elevation = np.concatenate([random.uniform(-85, 85, 8), random.uniform(-6, 6, 4)])
+        views = sd.direction(random.uniform(0, np.pi, 12), np.radians(elevation))
+        light, error = traced(air, w, height, views, sun, count).T
+        sky = sd.SkyFromHeight.by(sd.DiffuseField.of(air, w), sun, height)
+        found.append((sky.radiance(views, w)[:, 0] / air.sun_at(w) / light - 1, error / light, elevation))
+    return tuple(np.concatenate(part) for part in zip(*found, strict=True))
+
+
+def main(count: int) -> None:
+    """Print the rows of docs/models/heights.md."""
+    for low, high in ((5.0, 90.0), (0.0, 5.0)):
+        for height in HEIGHTS:
+            start = time.process_time()
+            off, noise, _ = judged(height, (np.sin(np.radians(low)), np.sin(np.radians(high))), count)
+            rms, own = np.sqrt(np.mean(off**2)), np.sqrt(np.mean(noise**2))
+            print(f"| {low:g}-{high:g} | {height / 1000:g} | {100 * np.sqrt(max(rms**2 - own**2, 0)):.1f} | "
+                  f"{100 * own:.1f} | {100 * np.median(abs(off)):.1f} | {100 * off.mean():+.1f} | "
+                  f"{100 * abs(off).max():.1f} | {time.process_time() - start:.0f} s", flush=True)  # fmt: skip
+
+
+def low() -> None:
+    """Rms (mean) against tables of all orders under low suns: views up, and views down; 450 and 650 nm."""
+    air, w = replace(sd.clear_air(0.1), gases=None), np.array([450.0, 650.0])
+    tables, field = sd.ScatteringTables.of(air, w), sd.DiffuseField.of(air, w)
+    rings = np.radians([1.0, 3.0, 10.0, 20.0, 40.0, 80.0])
+    for elevation in (5.0, 2.0, 0.0, -1.0, -2.0, -4.0):
+        sun, cells = sd.direction(0.0, elevation * sd.deg), []
+        for height in (1000.0, 3000.0, 10_000.0, 30_000.0):
+            skies = sd.SkyFromHeight.by(field, sun, height), sd.PrecomputedScattering.by(tables, sun, height)
+            for side in (rings, -rings):
+                views = np.concatenate([sd.direction(around * sd.deg, side) for around in (20.0, 90.0, 160.0)])
+                light, peer = (sky.radiance(views, w) for sky in skies)
+                off = 100 * (light / peer - 1)[peer > 1e-6 * peer.max()]
+                cells.append(f"{np.sqrt(np.mean(off**2)):.1f} ({off.mean():+.1f})")
+        print(f"| {elevation:g} | {' | '.join(cells)} |", flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    if sys.argv[1:] == ["low"]:
+        low()
+    else:
+        main(int(sys.argv[1]) if len(sys.argv) > 1 else 30_000)

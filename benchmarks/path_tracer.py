@@ -1,6 +1,6 @@
 """The path tracer and discrete ordinates: CPU seconds to an error, and their agreement after many samples.
 
-Run: python benchmarks/path_tracer.py [speed] [twilight] [agreement] [bending]
+Run: python benchmarks/path_tracer.py [speed] [twilight] [agreement] [bending [suns in degrees]]
 """
 
 import sys
@@ -109,21 +109,16 @@ def agreement(passes=512):
     )
 
 
-def bending():
+PASSES = {20: 60, 10: 60, 5: 60, 3: 100, 0: 150, -1: 150, -2.5: 200, -4: 300, -6: 400}
+"""Of paths for suns in degrees."""
+
+
+def bending(*suns):
     """What refraction changes: level light and zenith of the same paths, bent and straight; 450, 550, 650 nm."""
     d, solid_angles = hemisphere(10, 12)
     views, level = np.concatenate([d, [sd.ZENITH]]), solid_angles * d[:, 2]
-    for elevation, passes in (
-        (20, 60),
-        (10, 60),
-        (5, 60),
-        (3, 100),
-        (0, 150),
-        (-1, 150),
-        (-2.5, 200),
-        (-4, 300),
-        (-6, 400),
-    ):
+    for elevation in map(float, suns or PASSES):
+        passes = PASSES.get(elevation, 200)
         sun = sd.direction(0.0, elevation * sd.deg)
         straight, bent = (
             PathTraced(sun, refraction=yes).job(views, [450.0, 550.0, 650.0]).start().more(passes).radiance
@@ -137,5 +132,8 @@ def bending():
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or ["speed", "twilight", "agreement"]:
-        {"speed": speed, "twilight": twilight, "agreement": agreement, "bending": bending}[name]()
+    if "bending" in sys.argv:
+        bending(*sys.argv[sys.argv.index("bending") + 1 :])
+    else:
+        for name in sys.argv[1:] or ["speed", "twilight", "agreement"]:
+            {"speed": speed, "twilight": twilight, "agreement": agreement}[name]()

@@ -1,9 +1,9 @@
 # ruff: noqa: NPY002  (random numbers of Numba, which has no other)
 """Skies by tables against paths, from the ground, from 10 km and from space, and what they cost.
 
-`python benchmarks/precomputed.py ground | heights | speed`: errors over 30 views and 450, 550, 650 nm (aerosol 0.1,
-albedo 0.2). From the ground the judge is `PathTraced`; from heights paths written here, which share with the tables
-the optical depth out to space and nothing else: distances by Woodcock's null collisions, all orders, ground.
+`python benchmarks/precomputed.py ground [suns in degrees] | heights | speed`: errors over 30 views and 450, 550, 650 nm
+(aerosol 0.1, albedo 0.2). From the ground the judge is `PathTraced`; from heights paths written here, which share
+with the tables the optical depth out to space and nothing else: distances by Woodcock's null collisions, all orders, ground.
 """
 
 import math
@@ -39,11 +39,11 @@ def told(name, light, judge):
     return f"{name}: mean {error.mean():+.2%}, rms {np.sqrt((error**2).mean()):.2%}, most {worst:.1%}"
 
 
-def ground():
-    """Errors against `PathTraced`."""
+def ground(*suns):
+    """Errors against `PathTraced`, under the suns given or `ELEVATIONS`."""
     tables = sd.ScatteringTables.of(AIR, WAVELENGTHS)
     psi, views = sd.MultipleScatteringTable.of(AIR, WAVELENGTHS), views_above()
-    for elevation in ELEVATIONS:
+    for elevation in map(float, suns or ELEVATIONS):
         sun = sd.direction(0.0, elevation * sd.deg)
         sky = sd.PathTraced(sun, AIR, relative_error=0.004 if elevation > -1 else 0.01, refraction=False)
         tracing = sky.job(views, WAVELENGTHS).start().until(sky.relative_error)
@@ -216,5 +216,9 @@ def speed():
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or ("ground", "heights", "speed"):
-        {"ground": ground, "heights": heights, "speed": speed}[name]()
+    jobs = {"ground": ground, "heights": heights, "speed": speed}
+    if sys.argv[1:]:
+        jobs[sys.argv[1]](*sys.argv[2:])
+    else:
+        for job in jobs.values():
+            job()

@@ -1,7 +1,7 @@
 """Twilight by an independent program, sasktran2 (MIT), against the path tracer and the physical sky.
 
     pip install -c constraints.txt sasktran2
-    python benchmarks/twilight.py straight | bent      (minutes a sun)
+    python benchmarks/twilight.py straight | bent [suns in degrees]      (minutes a sun)
 
 `straight`: sasktran2's successive orders in round shells, scalar, against `PathTraced(refraction=False)`; `bent`: the
 physical sky against `PathTraced(refraction=True)`, since the two need no third for that. Five views (10 and 30 degrees
@@ -47,10 +47,10 @@ def judged(air: Optics, sun: float, suns: int = 13, levels: int = 51, points: in
     return np.asarray(sk.Engine(config, shells, rays).calculate_radiance(given)["radiance"])[..., 0].T
 
 
-def main(kind: str) -> None:
+def main(kind: str, *suns: str) -> None:
     """Prints the differences, view by view."""
-    views = sd.direction(AZIMUTHS, ELEVATIONS)
-    for elevation in SUNS if kind == "straight" else (0.0, -1.0, *SUNS, -10.0):
+    views, usual = sd.direction(AZIMUTHS, ELEVATIONS), SUNS if kind == "straight" else (0.0, -1.0, *SUNS, -10.0)
+    for elevation in map(float, suns or usual):
         sun = sd.direction(0.0, elevation * sd.deg)
         sky = sd.PathTraced(sun, AIR, refraction=kind == "bent")
         tracing = sky.job(views, WAVELENGTHS).start().until(0.006 if elevation > -7 else 0.012, 4000)
@@ -64,4 +64,4 @@ def main(kind: str) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else "bent")
+    main(*(sys.argv[1:] or ["bent"]))

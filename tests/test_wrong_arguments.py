@@ -158,6 +158,7 @@ CALLS = {
     "gensky_sun": {"sun": SUN},
     "PrecomputedScattering": {"sun": SUN, "atmosphere": AIR},
     "Hillaire": {"sun": SUN, "atmosphere": AIR},
+    "SkyFromHeight": {"sun": SUN, "atmosphere": AIR},
     "Klassen87": {"sun": SUN},
     "LayeredFog": {"tops": (100.0, 300.0), "extinctions": (1e-2, 1e-3), "ambient": (5000.0, 5200.0, 5600.0)},
     "night_vision": {"picture": MAP},
@@ -180,7 +181,7 @@ CALLS = {
 ANSWERS = {
     "SunEvents", "SunPath", "SkySampler", "PlaneView", "Received", "Bands", "AerialPerspective", "TerrainPicture",
     "SkyScene", "SunLamp", "Fit", "MoonPhase", "MoonEvents", "Planet", "ScatteringTables", "Stars", "Planets",
-    "Eclipse", "LunarEclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures",
+    "Eclipse", "LunarEclipse", "WholeSky", "Broadband", "MultipleScatteringTable", "ScatteringTextures", "DiffuseField",
     "MeasuredClouds", "ShadowMap",
 }  # fmt: skip
 """What functions of ours answer with, or classes made by their own methods; nobody makes them by hand."""

@@ -61,6 +61,8 @@ HOME = {
     "skies.neural.sky": "NeuralSky NeuralSpectralSky",
     "skies.captured": "CapturedSky",
     "skies.physical.choice": "physical_sky",
+    "skies.all_air.from_heights.diffuse_field": "DiffuseField",
+    "skies.all_air.from_heights.sky": "SkyFromHeight",
     "skies.all_air.sky": "PhysicalSky",
     "skies.all_air.taught_air": "clear_air",
     "skies.physical.discrete_ordinates": "DiscreteOrdinates",

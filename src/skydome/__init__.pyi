@@ -107,6 +107,8 @@ from skydome.moon.position import lunar_radius as lunar_radius
 from skydome.moon.position import moon_angles as moon_angles
 from skydome.moon.position import moon_direction as moon_direction
 from skydome.moon.position import moon_distance as moon_distance
+from skydome.skies.all_air.from_heights.diffuse_field import DiffuseField as DiffuseField
+from skydome.skies.all_air.from_heights.sky import SkyFromHeight as SkyFromHeight
 from skydome.skies.all_air.sky import PhysicalSky as PhysicalSky
 from skydome.skies.all_air.taught_air import clear_air as clear_air
 from skydome.skies.captured import CapturedSky as CapturedSky

@@ -139,6 +139,12 @@ def psi():
     return sd.MultipleScatteringTable.of(AIR, NODES)
 
 
+@cache
+def field():
+    """The light inside the air."""
+    return sd.DiffuseField.of(AIR, NODES)
+
+
 PRAGUE = prague_file(Path(tempfile.mkdtemp()) / "prague.dat")
 
 PHYSICAL = {
@@ -154,6 +160,7 @@ PHYSICAL = {
     "held": lambda sun: sd.held(sd.Nishita93(sun, AIR)),
     "precomputed": lambda sun: sd.PrecomputedScattering.by(tables(), sun),
     "hillaire": lambda sun: sd.Hillaire.by(psi(), sun),
+    "from-height": lambda sun: sd.SkyFromHeight.by(field(), sun),
     "physical-sky": lambda sun: sd.PhysicalSky(sun, sd.clear_air(0.15)),
     "cloudy": lambda sun: sd.CloudySky(sd.PhysicalSky(sun), sd.CloudField(Slab(), cover=1.0, extinction=0.002)),
     "physical": lambda sun: sd.physical_sky(sun, AIR, relative_error=0.5),
@@ -173,6 +180,7 @@ LOWEST = {
     "held": -12.0,
     "precomputed": -8.0,
     "hillaire": -4.0,
+    "from-height": -4.0,
     "physical-sky": -18.0,
     "cloudy": -18.0,
     "physical": -12.0,

@@ -130,6 +130,7 @@ ONE_AIR = (
     sd.DiscreteOrdinates,
     sd.PathTraced,
     sd.Hillaire,
+    sd.SkyFromHeight,
     sd.PrecomputedScattering,
 )
 
@@ -140,7 +141,7 @@ def test_solvers_take_one_air_at_a_time(numbers: str) -> None:
     for kind in ONE_AIR:
         with pytest.raises(ValueError, match=f"{kind.__name__} takes one air at a time, got arrays"):
             kind(SUN, air)
-    for of in (sd.ScatteringTables.of, sd.MultipleScatteringTable.of):
+    for of in (sd.ScatteringTables.of, sd.MultipleScatteringTable.of, sd.DiffuseField.of):
         with pytest.raises(ValueError, match="takes one air at a time, got arrays"):
             of(air, [550.0])
     assert sd.PhysicalSky(SUN, air).radiance(sd.ZENITH, [550.0]).shape == (2, 1)

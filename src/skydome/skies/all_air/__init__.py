@@ -4,7 +4,6 @@
 - lit_air             An atmosphere at some wavelengths, whole or of some suns and airs
 - taught_air          The optical numbers that the rest depends on, and the ranges that were taught
 - low_aerosol         Low aerosols of any phase law as the one lobe that was taught, and what lies beyond it
-- heights             An observer above the ground: the air above, and what lies below as a ground
 - deep_ozone          Ozone deeper than was taught, in the ultraviolet
 - single_scattering   Light scattered once in round shells, in arrays of any library, with gradients
 - column_tables       Densities and columns of constituents as tables that any library looks up
@@ -17,4 +16,5 @@
 - rest                What is scattered more than once, by networks over shapes of the dome
 - rest_files          Those networks in a file
 - polarised/          Polarisation: Stokes parameters, and the network of their rest
+- from_heights/       The sky, the haze below and the ground, seen from a height
 """

@@ -17,7 +17,6 @@ from skydome.skies.all_air.bent_sun import BentSun, centre_illuminance
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, in_arrays
-from skydome.skies.all_air.heights import seen_from
 from skydome.skies.all_air.lit_air import LitAir, is_one
 from skydome.skies.all_air.low_aerosol import FoldedLaw, lone, same
 from skydome.skies.all_air.many_suns import LOWEST_SUN, light_of_many
@@ -52,7 +51,8 @@ class PhysicalSky(StokesSky):
     directions, in NumPy, torch or JAX, with gradients. `clear_air` is the air by default. `networks`: those of
     the package, smaller ones (`Networks.SMALL`), or a file of one's own. `valid` tells whether the air was taught, at
     380-780 nm. The air bends sun and view (`air.bending`): `sun` is where it stands. `vector`: polarisation counts in
-    all light; a file of one's own for it is `polarisation`. docs/models/physical.md, docs/models/polarisation.md.
+    all light; a file of one's own for it is `polarisation`. From above the ground: `SkyFromHeight`.
+    docs/models/physical.md, docs/models/polarisation.md.
 
     >>> import skydome as sd
     >>> sky = PhysicalSky(sd.direction(azimuth=180 * sd.deg, elevation=np.array([[45.0], [-4.0]]) * sd.deg))
@@ -84,20 +84,6 @@ class PhysicalSky(StokesSky):
         """The sky in `clear_air` of the numbers given of it."""
         air = {name: parameters.pop(name) for name in cls.numbers_of_air if name in parameters}
         return cls(**(parameters | ({"atmosphere": clear_air(**air)} if air else {})))
-
-    @classmethod
-    def from_height(cls, sun: Array, height: float, atmosphere: Atmosphere | None = None, **others: Any) -> Self:
-        """The sky over an observer at a `height`, 0-30,000 m above the ground of an `atmosphere` (`clear_air()`).
-
-        All below counts as a ground (`heights`); views below the horizon stay dark. `others` as in the constructor.
-
-        >>> import skydome as sd
-        >>> sun = sd.direction(azimuth=0.0, elevation=40 * sd.deg)
-        >>> [round(float(PhysicalSky.from_height(sun, h).luminance(sd.ZENITH)), -1) for h in (0.0, 20_000.0)]
-        [2050.0, 110.0]
-        """
-        air = clear_air() if atmosphere is None else atmosphere
-        return cls(sun, seen_from(air, height, np.asarray(sun)[..., 2]), **others)
 
     @cached_property
     def rest(self) -> Rest:

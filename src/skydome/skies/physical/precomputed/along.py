@@ -10,15 +10,17 @@ from skydome.skies.physical.precomputed.observer import Lines
 SAMPLES = 64
 
 
-def scattered_once(table: ColumnTable, line: Lines, wavelengths: np.ndarray) -> tuple[Array, Array]:
-    """Light scattered once, for sunlight of 1, sr-1, and what is left of light from the lines' ends, (N, W) each."""
+def scattered_once(table: ColumnTable, line: Lines, wavelengths: np.ndarray, depths: np.ndarray) -> tuple[Array, Array]:
+    """Light scattered once, for sunlight of 1, sr-1, and what is left of light from the lines' ends, (N, W) each.
+
+    `depths` (K, W): what light meets of each constituent on its way, as vertical optical depths.
+    """
     parts = table.air.constituents
-    depths = np.stack([part.depth(wavelengths) for part in parts])
     path = rays(table.air, line.radius, line.mu, SAMPLES)
     reach = lit_columns(table, path, line.radius, line.mu_s[:, None], line.nu, depths)
     light = np.zeros((line.nu.size, wavelengths.size))
     for k, part in enumerate(parts):
-        strength = depths[k] * part.scattered(wavelengths)
+        strength = part.depth(wavelengths) * part.scattered(wavelengths)
         if strength.any():
             light += part.phase_law.value(line.nu, wavelengths) * strength * reach[:, k]
     return light, np.exp(-(path.total.T @ depths))

@@ -65,5 +65,5 @@ class PrecomputedScattering(TabledSky):
         """Light scattered once, and what the ground throws back, (N, W)."""
         if self.exact_first:
             return super().once(line, wavelengths, between)
-        _, left = scattered_once(self.columns, line, wavelengths)
+        _, left = scattered_once(self.columns, line, wavelengths, self.depths(wavelengths))
         return np.asarray(self.known.first(line) @ between) + self.from_ground(line, left, wavelengths, between)

@@ -74,6 +74,16 @@ class TabledSky(AtmosphereSky):
         day = np.asarray(is_day(floating(self.sun), self.lowest))
         return day | (self.height > self.atmosphere.height)
 
+    @property
+    def direct_normal_illuminance(self) -> Array | float:
+        """Illuminance of the sun at that height on a plane that faces it, lx, shape (...,); 0 when it has set there."""
+        cosine = np.atleast_1d(np.asarray(self.sun, dtype=np.float64)[..., 2])
+        column, blocked = self.columns.look_up(np.full(cosine.shape, min(self.height, self.atmosphere.height)), cosine)
+        depths = np.stack([part.depth(self.bands) for part in self.atmosphere.constituents])
+        left = np.where(blocked[..., None], 0.0, np.exp(-(np.moveaxis(column, 0, -1) @ depths)))
+        level = (left * self.atmosphere.sun_at(self.bands)) @ xyz_weights(self.bands)[:, 1]
+        return float(level[0]) if self.one_sun else level
+
     def seen(self, directions: Array) -> Array:
         """True toward directions (..., 3) that have light: from the ground those above the horizon, else all."""
         return directions[..., 2] >= (0.0 if self.height == 0 else -np.inf)
@@ -124,9 +134,13 @@ class TabledSky(AtmosphereSky):
             found[part] = held[:, None] * (self.known.again(line) @ between) + self.once(line, wavelengths, between)
         return found
 
+    def depths(self, wavelengths: np.ndarray) -> np.ndarray:
+        """What light meets of each constituent, as vertical optical depths, (K, W)."""
+        return np.stack([part.depth(wavelengths) for part in self.atmosphere.constituents])
+
     def once(self, line: Lines, wavelengths: np.ndarray, between: np.ndarray) -> Array:
         """Light scattered once, and what the ground throws back, (N, W)."""
-        light, left = scattered_once(self.columns, line, wavelengths)
+        light, left = scattered_once(self.columns, line, wavelengths, self.depths(wavelengths))
         return light + self.from_ground(line, left, wavelengths, between)
 
     def from_ground(self, line: Lines, left: Array, wavelengths: np.ndarray, between: np.ndarray) -> Array:

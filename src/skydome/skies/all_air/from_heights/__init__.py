@@ -1,0 +1,8 @@
+"""The sky, the haze below and the ground, seen from a height above the ground.
+
+- harmonics      Legendre's associated functions
+- blunted        Air whose phase functions are few moments, the sharp forward peak taken off
+- layers         Flat layers: how what is given off at all heights comes to each
+- diffuse_field  The light inside the air at all heights under all suns, one linear equation a wave in the azimuth
+- sky            The sky from a height, by that field
+"""
