@@ -2,8 +2,8 @@
 """Skies by tables against paths, from the ground, from 10 km and from space, and what they cost.
 
 `python benchmarks/precomputed.py ground [suns in degrees] | heights | speed`: errors over 30 views and 450, 550, 650 nm
-(aerosol 0.1, albedo 0.2). From the ground the judge is `PathTraced`; from heights paths written here, which share
-with the tables the optical depth out to space and nothing else: distances by Woodcock's null collisions, all orders, ground.
+(aerosol 0.1, albedo 0.2). From the ground the judge is `PathTraced`; from heights paths written here, which share with
+the tables the optical depth out to space and nothing else: distances by Woodcock's null collisions, all orders, ground.
 """
 
 import math
