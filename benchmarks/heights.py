@@ -85,7 +85,7 @@ def low() -> None:
     air, w = replace(sd.clear_air(0.1), gases=None), np.array([450.0, 650.0])
     tables, field = sd.ScatteringTables.of(air, w), sd.DiffuseField.of(air, w)
     rings = np.radians([1.0, 3.0, 10.0, 20.0, 40.0, 80.0])
-    for elevation in (5.0, 2.0, 0.0, -1.0, -2.0, -4.0):
+    for elevation in (60.0, 25.0, 10.0, 5.0, 2.0, 0.0, -1.0, -2.0, -3.9):
         sun, cells = sd.direction(0.0, elevation * sd.deg), []
         for height in (1000.0, 3000.0, 10_000.0, 30_000.0):
             skies = sd.SkyFromHeight.by(field, sun, height), sd.PrecomputedScattering.by(tables, sun, height)
