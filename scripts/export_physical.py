@@ -2,16 +2,20 @@
 
 Under one sun its light is a few smooth fields over half the dome (`HeldSky`): what each constituent scatters once, and
 the rest. Over sun heights, turbidities and grounds these fields are sums of few shapes: each height's span has a basis
-of its own (singular vectors), and a condition is its coefficients and the size of each field. float16 in base64.
+of its own (singular vectors), and a condition is its coefficients and the size of each field. Whole multiples of a
+step in text (`explorer_digits.py`).
+
+Air with less haze than the stratosphere's alone has less of that and none below: two rows of the table, and between
+them straight lines.
 """
 
-import base64
 import json
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from explorer_digits import digits
 
 import skydome as sd
 from skydome.air.named_airs import BACKGROUND_DEPTH, depth_of_turbidity
@@ -21,14 +25,18 @@ from skydome.skies.physical.cosine_series import LEAST_COSINE, view_nodes
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "physical.json"
 SPANS = (
-    (np.arange(-17.5, -5.4, 0.75), 32, 22),
-    (np.arange(-6.0, 4.1, 0.5), 34, 22),
-    (np.array([4, 5, 6, 7, 8.5, 10, 12, 14, 17, 20, 24, 28, 33, 38, 44, 50, 56, 62, 68, 74, 80, 85, 89.9]), 18, 18),
+    (np.arange(-17.5, -5.4, 0.75), 36, 26),
+    (np.arange(-6.0, 4.1, 0.5), 46, 26),
+    (np.array([4, 5, 6, 7, 8.5, 10, 12, 14, 17, 20, 24, 28, 33, 38, 44, 50, 56, 62, 68, 74, 80, 85, 89.9]), 20, 28),
 )
 """Elevations of the sun, degrees, and the number of shapes of light scattered once and of the rest."""
-TURBIDITIES = np.array([1.08, 1.6, 2.4, 3.5, 5.0, 7.2, 10.0])
 LEAST_HAZE = 1 + BACKGROUND_DEPTH / float(depth_of_turbidity(2.0))
 """Turbidity of the stratosphere's aerosol alone: what is above it lies near the ground."""
+NEAR = 1e-3
+"""How close to a turbidity's end its fields are taken, as they stand for a unit of haze."""
+TURBIDITIES = np.array([1 + NEAR, LEAST_HAZE + NEAR, 1.2, 1.4, 1.7, 2.1, 2.7, 3.5, 4.6, 6.0, 7.8, 10.0])
+STEP, STEP_OF_SIZE = 2.5e-4, 5e-4
+"""Of coefficients, of which 1 is a field's brightest, and of the logarithms of sizes."""
 ALBEDOS = np.array([0.0, 0.3, 0.65, 1.0])
 TURNS = 17
 LIT = (0, 1, 3)
@@ -55,36 +63,32 @@ def on_turns(series: np.ndarray) -> np.ndarray:
 def fields_of(elevation: float, turbidity: float) -> dict[str, Any]:
     """Fields of one sun and air: once (nodes, turns, 3, 3), rest (albedos, nodes, turns, 3), lux, the sun as seen.
 
-    The aerosol's are for each turbidity above `LEAST_HAZE`.
+    The aerosol's are for each turbidity above `LEAST_HAZE`, the stratosphere's for all of it.
     """
     model, sun = model_named("physical"), sd.direction(0.0, elevation * sd.deg)
     made = [model.make(sun, {"turbidity": turbidity, "albedo": albedo}) for albedo in ALBEDOS]
     held = made[0].held()
+    high = min(1.0, (turbidity - 1) / (LEAST_HAZE - 1))
     return {
-        "once": on_turns(held.series[:, :, list(LIT)]) / np.array([1.0, turbidity - LEAST_HAZE, 1.0])[:, None],
+        "once": on_turns(held.series[:, :, list(LIT)]) / np.array([1.0, turbidity - LEAST_HAZE, high])[:, None],
         "rest": np.stack([on_turns(rest_series(sky)) for sky in made]),
         "lux": float(made[0].direct_normal_illuminance),
         "seen": float(sd.elevation(held.sun)) / sd.deg,
     }
 
 
-def half(values: np.ndarray) -> dict[str, Any]:
-    """Numbers as float16 in base64, with their shape."""
-    array = np.ascontiguousarray(values, dtype="<f2")
-    return {"shape": list(array.shape), "f2": base64.b64encode(array.tobytes()).decode()}
-
-
 def compressed(rows: np.ndarray, count: int) -> dict[str, Any]:
-    """Rows (..., shape) of fields >= 0 as log sizes, coefficients and a basis of `count` shapes."""
+    """Rows (heights, ..., shape) of fields >= 0 as log sizes, and coefficients (count, heights, ...) of a basis."""
     size = np.maximum(np.abs(rows).max(axis=-1, keepdims=True), 1e-12)
     flat = (rows / size).reshape(-1, rows.shape[-1])
     left, values, right = np.linalg.svd(flat, full_matrices=False)
     scale = np.abs(right[:count]).max(axis=1)
-    coefficients = (left[:, :count] * values[:count] * scale).reshape(*rows.shape[:-1], count)
+    coefficients = (left[:, :count] * values[:count] * scale).T
+    most = np.maximum(np.abs(coefficients).max(axis=1), STEP)
     return {
-        "size": half(np.log(size[..., 0])),
-        "coefficients": half(coefficients),
-        "basis": half(right[:count] / scale[:, None]),
+        "size": digits(np.log(size[..., 0]), STEP_OF_SIZE, 0),
+        "coefficients": digits(coefficients.reshape(count, *rows.shape[:-1]), STEP, 1),
+        "basis": digits((right[:count] / scale[:, None]).reshape(count, -1, TURNS), STEP / most, 2),
     }
 
 
@@ -97,7 +101,7 @@ def span(elevations: np.ndarray, once: int, rest: int) -> dict[str, Any]:
     return {
         "elevations": elevations.round(6).tolist(),
         "seen": pick["seen"][:, 0].round(5).tolist(),
-        "lux": np.log(np.maximum(pick["lux"], 1e-6)).round(5).tolist(),
+        "lux": np.log(np.maximum(pick["lux"], 1e-6)).round(4).tolist(),
         "once": compressed(shapes, once),
         "rest": compressed(rests, rest),
     }
@@ -108,7 +112,7 @@ def table() -> dict[str, Any]:
     sky = model_named("physical").make(sd.direction(0.0, 0.5), {})
     laws = [sky.laws[k].closed for k in LIT]
     return {
-        "turbidities": TURBIDITIES.tolist(),
+        "turbidities": TURBIDITIES.round(6).tolist(),
         "albedos": ALBEDOS.tolist(),
         "leastHaze": round(LEAST_HAZE, 6),
         "nodes": 32,

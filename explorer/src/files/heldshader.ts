@@ -24,7 +24,7 @@ export function heldNumbers(fields: Fields): number[] {
   for (let row = 0; row < HELD.heights; row++) {
     const q = row / (HELD.heights - 1);
     for (let turn = 0; turn < HELD.azimuths; turn++) {
-      const cell = fieldsAt(fields, 1 - (1 - q * q) ** 2, turn / (HELD.azimuths - 1));
+      const cell = fieldsAt(fields.grid, fields.leastCosine, 1 - (1 - q * q) ** 2, turn / (HELD.azimuths - 1));
       for (let k = 0; k < 4; k++) {
         const xyz = cell.slice(3 * k, 3 * k + 3) as unknown as Vec3;
         numbers.push(...times(TABLES.colour.srgbFromXYZ, xyz));

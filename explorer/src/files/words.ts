@@ -18,7 +18,8 @@ const isUsual = (model: Model): boolean => model.group === "Older skies" || mode
 const isOfDisc = (model: Model): boolean => isUsual(model) || model.name === "perez";
 
 /** Names in Python of what few models have. */
-const OWN: Record<string, string> = { lux: "illuminance", share: "diffuse_share", clearness: "clearness", cloud: "cloud" };
+const OWN = { lux: "illuminance", share: "diffuse_share", clearness: "clearness", cloud: "cloud" } as const;
+type Told = keyof typeof OWN;
 
 /** The parameters of the first model, by their names in Python. */
 function parameters({ state, model, skies, distance }: Scene): Record<string, string> {
@@ -32,7 +33,8 @@ function parameters({ state, model, skies, distance }: Scene): Record<string, st
     if (!state.sun) told.extraterrestrial_irradiance = short(TABLES.perez.solarConstant / distance ** 2, 3);
   }
   if (isUsual(model)) told[model.name === "uniform" ? "value" : "zenith_luminance"] = short(zenithXYZ(skies[0])[1], 2);
-  for (const name of model.own ?? []) if (name !== "air" && name !== "letters") told[OWN[name]] = short(state[name], 3);
+  for (const name of model.own ?? []) if (name in OWN) told[OWN[name as Told]] = short(state[name as Told], 3);
+  if (model.name === "overcast") told.optical_depth = short(state.depth, 1);
   if (model.own?.includes("letters")) state.letters.forEach((value, k) => (told["abcde"[k]] = short(value, 3)));
   if (/^cie-\d/.test(model.name)) told.type = model.name.slice(4);
   return told;
@@ -60,15 +62,26 @@ export function asPython(scene: Scene): string {
   const kind = neural ? `${neural.endsWith("spectral") ? "NeuralSpectralSky" : "NeuralSky"}.load("${neural}", sun, ` : `${CLASSES[model.name] ?? "CIE"}(${under}`;
   let sky = `sd.${kind}${told})`;
   if (model.name === "physical") sky = `sd.PhysicalSky(sun, ${physicalAir(scene)})`;
+  if (model.name === "overcast") sky = layerOf(scene, state.particles === "ice" ? ", kind=sd.Ice()" : "");
   if (scene.skies[0].notes.length) sky = `sd.Daylight(${sky})`;
   const when = state.sun ? "" : `, time="${time}"`;
   const turbidity = isOfDisc(model) ? `, turbidity=${short(state.turbidity, 2)}` : "";
   const disc = scene.skies[0].disc ? ` + sd.SunDisc.of(sky${turbidity}${when})` : "";
+  const whole = isBlended(scene) ? `sd.blend(sky${disc}, ${layerOf(scene)}, ${short(state.cover, 2)})` : `sky${disc}`;
   const albedo = model.albedo ? "" : `, ground_albedo=${short(scene.skies[0].ground, 3)}`;
   return [
     "import skydome as sd", "", `sun = ${sun}`, `sky = ${sky}`,
-    `sd.render(sky${disc}, height=1024${albedo}).save("sky.exr", target="${state.target}")`, "",
+    `sd.render(${whole}, height=1024${albedo}).save("sky.exr", target="${state.target}")`, "",
   ].join("\n");
+}
+
+/** Whether a share of an overcast sky is mixed in. */
+const isBlended = ({ skies, model }: Scene): boolean => skies[0].recipe.kind === "fields" && skies[0].recipe.layer !== null && model.name !== "overcast";
+
+/** The sky under an even layer of cloud. */
+function layerOf({ state, distance }: Scene, more = ""): string {
+  const scale = state.sun ? "" : `, sun_scale=${short(distance ** -2, 5)}`;
+  return `sd.OvercastSky(sun, optical_depth=${short(state.depth, 1)}, albedo=${short(state.albedo, 3)}${scale}${more})`;
 }
 
 function physicalAir({ state, distance }: Scene): string {
@@ -80,7 +93,7 @@ function physicalAir({ state, distance }: Scene): string {
 
 const PYTHON_ONLY = ["type", "zenith_luminance", "value", "extraterrestrial_irradiance", ..."abcde"];
 const SET = ["diffuse_share", "clearness", "cloud"];
-const OPTIONS: Record<string, string> = { direct_normal_irradiance: "dni", diffuse_horizontal_irradiance: "dhi", dew_point: "dew-point" };
+const OPTIONS: Record<string, string> = { direct_normal_irradiance: "dni", diffuse_horizontal_irradiance: "dhi", dew_point: "dew-point", optical_depth: "cloud-depth" };
 
 /** The command line that makes the sky's map. */
 export function asCommand(scene: Scene): string {
@@ -95,6 +108,8 @@ export function asCommand(scene: Scene): string {
     if (state.aerosol !== "usual") told.push(`--aerosol ${state.aerosol}`);
     if (state.ozone !== 330) told.push(`--ozone ${short(state.ozone, 0)}`);
   }
+  if (model.own?.includes("particles") && state.particles !== "water") told.push(`--cloud-kind ${state.particles}`);
+  if (isBlended(scene)) told.push(`--blend-overcast ${short(state.cover, 2)}`, `--cloud-depth ${short(state.depth, 1)}`);
   const hazy = isOfDisc(model) && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
   return ["skydome render", sun, `--model ${model.name}`, ...told, ...hazy, `--target ${state.target}`, "-o sky.exr"].join(" ") + "\n";
 }
@@ -109,6 +124,7 @@ export function asShader(sky: Sky, language: ShaderLanguage = "glsl"): string {
   const head = `// skydome ${TABLES.version}, ${sky.name}: linear sRGB toward a unit vector, x east, y north, z up; 1 = 1 cd m-2.`;
   const sun = `const vec3 sun = vec3(${sky.sun.map(literal).join(", ")});`;
   const matrix = TABLES.colour.srgbFromXYZ;
+  if (sky.recipe.kind === "fields" && sky.recipe.layer) throw new Error("a layer of cloud has no shader: take its map");
   if (sky.recipe.kind === "fields") return heldText(language);
   const body = { formula: formulaText, network: networkWords, shaped: shapedText }[sky.recipe.kind](sky);
   const toRGB = `mat3(${[0, 1, 2].flatMap((c) => matrix.map((row) => literal(row[c]))).join(", ")})`;

@@ -211,7 +211,8 @@ export class Explorer {
   get words(): { python: string; command: string; shader: string; numbers: number[] } {
     const [{ recipe }] = this.scene.skies;
     const numbers = recipe.kind === "fields" ? heldNumbers(recipe) : [];
-    return { python: asPython(this.scene), command: asCommand(this.scene), shader: asShader(this.scene.skies[0]), numbers };
+    const shader = recipe.kind === "fields" && recipe.layer ? "" : asShader(this.scene.skies[0]);
+    return { python: asPython(this.scene), command: asCommand(this.scene), shader, numbers };
   }
 
   /** The map as an OpenEXR file. */

@@ -2,6 +2,7 @@
 
 import { TABLES } from "../core/tables";
 import { AEROSOLS } from "../skies/physical/airs";
+import { KINDS } from "../skies/clouds/optics";
 import { MODELS } from "../skies/catalogue";
 import type { Own } from "../skies/model";
 import { checkbox, section, select, slider, type Change, type Control } from "./controls";
@@ -51,6 +52,14 @@ function aerosols(change: Change): Control {
   return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("air")(scene))) };
 }
 
+function particles(change: Change): Control {
+  const made = select("Cloud of", "particles", new Map([["", Object.keys(KINDS).map((name): [string, string] => [name, name])]]), change);
+  return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("particles")(scene))) };
+}
+
+/** Whether a layer of cloud is there, whose depth one asks. */
+const isLayered = (scene: Scene): boolean => has("depth")(scene) && (has("particles")(scene) || scene.state.cover > 0);
+
 const isMeasured = (scene: Scene): boolean => scene.skies.some((_, k) => modelAt(scene, k)?.irradiance);
 
 function hazeLimits(scene: Scene): [number, number] {
@@ -76,6 +85,11 @@ export function skySection(change: Change): { element: HTMLElement; controls: Co
     slider({ label: "Ground albedo", hint: "Share of light that the ground sends back", step: 0.01, limits: fixed("albedo"),
       value: ({ state }) => state.albedo, text: (value) => value.toFixed(2), change: (albedo) => ({ albedo }),
       shown: (scene) => scene.skies.some((_, k) => modelAt(scene, k)?.albedo) }, change),
+    slider({ label: "Overcast share", hint: "Share of a sky under an even layer of cloud, by day", step: 0.01, limits: fixed("cover"),
+      value: ({ state }) => state.cover, text: (value) => value.toFixed(2), change: (cover) => ({ cover }), shown: has("cover") }, change),
+    slider({ label: "Cloud depth", hint: "Optical depth of the layer of cloud at 550 nm", step: 0.5, limits: fixed("depth"),
+      value: ({ state }) => state.depth, text: (value) => value.toFixed(1), change: (depth) => ({ depth }), shown: isLayered }, change),
+    particles(change),
     slider({ label: "Direct normal", hint: "Direct normal irradiance", step: 5, limits: fixed("dni"), value: ({ state }) => state.dni,
       text: (value) => `${value.toFixed(0)} W/m²`, change: (dni) => ({ dni }), shown: isMeasured }, change),
     slider({ label: "Diffuse horizontal", hint: "Diffuse horizontal irradiance", step: 5, limits: fixed("dhi"),

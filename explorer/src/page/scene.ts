@@ -39,9 +39,10 @@ export const EV_PER_LUMINANCE = 8;
 
 /** What the state's skies are made of under a sun. */
 export function conditionsOf(state: State, sun: Vec3, distance: number, given: Moon | null = null): Conditions {
-  const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, aerosol, ozone } = state;
+  const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, depth, cover, particles, aerosol, ozone } = state;
   const moon = state.sun || !state.moon ? null : given;
-  return { sun, distance, radius: radiusAt(distance), turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, moon, air: { aerosol, ozone } };
+  const numbers = { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, depth, cover };
+  return { ...numbers, sun, distance, radius: radiusAt(distance), moon, particles, air: { aerosol, ozone } };
 }
 
 /** The scene of a state. */

@@ -94,7 +94,13 @@ function download(bytes: Uint8Array<ArrayBuffer>, name: string, type: string): v
 /** The section of the panel. */
 export function takeAway(explorer: Explorer): HTMLElement {
   const copied = (what: string, text: () => string) => (): void => {
-    void navigator.clipboard.writeText(text()).then(() => explorer.say(`${what} copied`), () => explorer.say("the browser does not allow copying"));
+    let made: string;
+    try {
+      made = text();
+    } catch (error) {
+      return explorer.say(error instanceof Error ? error.message : String(error));
+    }
+    void navigator.clipboard.writeText(made).then(() => explorer.say(`${what} copied`), () => explorer.say("the browser does not allow copying"));
   };
   const size = h("select", { "aria-label": "Rows of the map" }, ...HEIGHTS.map((rows) => h("option", { value: rows }, `${2 * rows} × ${rows}`)));
   size.value = "512";
@@ -106,7 +112,7 @@ export function takeAway(explorer: Explorer): HTMLElement {
   const language = h("select", { "aria-label": "Shading language", class: "small" }, ...LANGUAGES.map((name) => h("option", { value: name }, name.toUpperCase())));
   const numbers = h("button", { type: "button", title: "The numbers that the shader reads, a JSON list of floats", click: saved(() => {
     const { recipe } = explorer.scene.skies[0];
-    if (recipe.kind !== "fields") return;
+    if (recipe.kind !== "fields" || recipe.layer) return explorer.say("a layer of cloud has no shader: take its map");
     const text = JSON.stringify(heldNumbers(recipe).map((value) => Number(value.toPrecision(9))));
     download(new TextEncoder().encode(text), "numbers.json", "application/json");
   }) }, "Shader numbers");

@@ -5,6 +5,7 @@ import type { Vec3 } from "../core/vector";
 import { ROWS, TURNS } from "../skies/physical/grid";
 import type { Fields, Sky } from "../skies/sky";
 import { display } from "./display";
+import { FieldTextures, FIRST_UNIT } from "./textures";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";
 import type { View } from "./view";
 import { pixelSize } from "./view";
@@ -34,7 +35,7 @@ export class Renderer {
   private uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
   private targets: (Target | null)[] = [null, null, null];
   private block: WebGLBuffer | null = null;
-  private grids: (WebGLTexture | null)[] = [null, null];
+  private textures!: FieldTextures;
   private linear = false;
 
   constructor(readonly canvas: HTMLCanvasElement) {
@@ -50,7 +51,7 @@ export class Renderer {
     this.programs.clear();
     this.uniforms.clear();
     this.targets = [null, null, null];
-    this.grids = [null, null];
+    this.textures = new FieldTextures(gl);
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
@@ -161,31 +162,21 @@ export class Renderer {
 
   private tellFields(program: WebGLProgram, fields: Fields, lit: number): void {
     const { gl } = this;
-    const { moonlit } = fields;
-    this.bindGrid(0, fields.grid);
-    if (moonlit || !this.grids[1]) this.bindGrid(1, (moonlit ?? fields).grid);
+    const { moonlit, layer } = fields;
+    this.textures.bind(0, fields.grid, 4 * TURNS, ROWS);
+    this.textures.bind(1, moonlit?.grid ?? null, 4 * TURNS, ROWS);
+    this.textures.bind(2, layer?.grid ?? null, 4 * TURNS, ROWS);
+    this.textures.bind(3, layer?.phases ?? null, (layer?.phases.length ?? 3) / 3, 1);
+    ["grid", "moon_grid", "layer_grid", "layer_phases"].forEach((name, k) => gl.uniform1i(this.at(program, name), FIRST_UNIT + k));
     gl.uniform1f(this.at(program, "lit"), lit);
+    gl.uniform1i(this.at(program, "clear"), Number(fields.clear));
     gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
-    gl.uniform1i(this.at(program, "grid"), 2);
-    gl.uniform1i(this.at(program, "moon_grid"), 3);
+    gl.uniform1i(this.at(program, "layered"), Number(layer !== null));
     const [lobe] = fields.laws[1].lobes;
     gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);
     gl.uniform3f(this.at(program, "moon_seen"), ...(moonlit ?? fields).seen);
     gl.activeTexture(gl.TEXTURE0);
-  }
-
-  /** The fields under a lamp, of the sun (0) or the moon (1), on a texture unit of their own. */
-  private bindGrid(lamp: number, grid: Float32Array): void {
-    const { gl } = this;
-    gl.activeTexture(gl.TEXTURE2 + lamp);
-    if (!this.grids[lamp]) {
-      this.grids[lamp] = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGB32F, 4 * TURNS, ROWS);
-      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-    } else gl.bindTexture(gl.TEXTURE_2D, this.grids[lamp]);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 4 * TURNS, ROWS, gl.RGB, gl.FLOAT, grid);
   }
 
   /** Draw one sky, or two side by side, on the canvas; their light so many times coarser each way. */

@@ -1,8 +1,9 @@
 /** The sky models of the page by the package's names: what each takes, and how its sky is made. */
 
 import { TABLES } from "../core/tables";
-import { azimuth, DEG, direction, halfSquare, limited, times, type Vec3 } from "../core/vector";
+import { azimuth, DEG, direction, halfSquare, limited, scaled, times, type Vec3 } from "../core/vector";
 import { levelledCie, levelledClear } from "./cie";
+import { overcastLight } from "./clouds/overcast";
 import { discOf } from "./disc";
 import { hosekLetters } from "./hosek";
 import { channel } from "./light";
@@ -11,10 +12,10 @@ import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
 import type { Conditions, Model } from "./model";
 import { asrc, brungerHooper, harrisonCoombes, intermediate, moonSpencer, pokrowski, uniform, type Levelled } from "./older";
 import { allWeather, byLetters, byWeather, igawa } from "./perez";
-import { LOWEST, physicalLight } from "./physical/physical";
+import { LAWS, LEAST_COSINE, LOWEST, physicalLight } from "./physical/physical";
 import { preethamLetters } from "./preetham";
 import { shaped } from "./shaped";
-import type { Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
+import type { Fields, Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
 
 const EYE = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NORMAL = EYE.map((row) => row.map((value) => value * TABLES.efficacy));
@@ -153,6 +154,25 @@ function physical(c: Conditions): Sky {
   return { ...sky, recipe: { ...ofSun.fields, moonlit: moonlit.fields }, disc, day, notes };
 }
 
+/** The physical sky by day with its share of an even layer of cloud. */
+function covered(c: Conditions, clear: Sky): Sky {
+  if (!(c.cover > 0) || clear.recipe.kind !== "fields") return clear;
+  if (c.sun[2] <= 0) return { ...clear, notes: [...clear.notes, "overcast share: by day alone"] };
+  const { layer } = overcastLight(c.sun, "water", c.depth, c.albedo, c.distance ** -2, c.cover);
+  const left = 1 - c.cover;
+  const recipe = { ...clear.recipe, clear: left > 0, grid: clear.recipe.grid.map((value) => left * value), layer };
+  const disc = clear.disc && left > 0 ? { ...clear.disc, normal: scaled(clear.disc.normal, left) } : null;
+  return { ...clear, recipe, disc };
+}
+
+/** An even layer of cloud over the whole sky. */
+function overcast(c: Conditions): Sky {
+  const sun = risen(c.sun);
+  const { layer, lux } = overcastLight(sun, c.particles, c.depth, c.albedo, c.distance ** -2, 1);
+  const recipe: Fields = { kind: "fields", clear: false, grid: layer.grid, seen: sun, leastCosine: LEAST_COSINE, laws: LAWS, moonlit: null, layer };
+  return withDisc(base("overcast", c, recipe, c.albedo), c, 3, lux);
+}
+
 /** Sines of the elevations to which a lamp lights the air, and below which stars and glows are more than a hundredth. */
 const [END, TWILIGHT] = [Math.sin(LOWEST * DEG), Math.sin(-12 * DEG)];
 const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; the command has them";
@@ -171,8 +191,10 @@ const weather = { ...measured, group: "Measured and standard", turbidity: null, 
 const old = { ...measured, group: "Older skies", turbidity: HAZE };
 
 export const MODELS: Model[] = [
-  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, own: ["air"], source:
-    "Single scattering in round shells, networks for the rest", make: physical },
+  { ...clear, group: "Physical", name: "physical", label: "Physical, with twilight", lowest: LOWEST, own: ["air", "cover", "depth"], source:
+    "Single scattering in round shells, networks for the rest", make: (c) => covered(c, physical(c)) },
+  { ...measured, group: "Physical", name: "overcast", label: "Overcast, a layer of cloud", albedo: true, turbidity: null,
+    own: ["depth", "particles"], source: "A network taught by discrete ordinates", make: overcast },
   { ...clear, name: "hosek-wilkie", label: "Hosek-Wilkie", source: "Hosek and Wilkie 2012", make: hosek },
   { ...clear, name: "hosek-wilkie-rgb", label: "Hosek-Wilkie RGB", source: "Hosek and Wilkie 2012", make: hosekRGB },
   { ...clear, name: "preetham", label: "Preetham", source: "Preetham, Shirley and Smits 1999", turbidity: [2, 6],

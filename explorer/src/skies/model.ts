@@ -2,6 +2,7 @@
 
 import type { Vec3 } from "../core/vector";
 import type { Moon } from "../sun/moon";
+import type { Kind } from "./clouds/optics";
 import type { Air } from "./physical/airs";
 import type { Sky } from "./sky";
 
@@ -19,6 +20,9 @@ export interface Numbers {
   share: number;
   clearness: number;
   cloud: number;
+  /** Optical depth at 550 nm of an even layer of cloud, and the share of such a sky beside a clear one. */
+  depth: number;
+  cover: number;
 }
 
 /** What a sky is made of, in the package's units; angles in radians. */
@@ -28,12 +32,14 @@ export interface Conditions extends Numbers {
   radius: number;
   distance: number;
   air: Air;
+  /** Of what a layer of cloud is. */
+  particles: Kind;
   /** The moon of that hour; null where it is left out, or the sun is set by hand. */
   moon: Moon | null;
 }
 
 /** Parameters that few models have. */
-export type Own = "letters" | "lux" | "share" | "clearness" | "cloud" | "air";
+export type Own = "letters" | "lux" | "share" | "clearness" | "cloud" | "air" | "cover" | "depth" | "particles";
 
 export interface Model {
   name: string;

@@ -36,6 +36,8 @@ export interface Law {
 
 export interface Fields {
   kind: "fields";
+  /** Whether the clear sky has light at all: none is left under a whole cover. */
+  clear: boolean;
   /** (rows, turns, 4, 3): what each of three constituents scatters once, per phase function, and the rest; XYZ, cd m-2. */
   grid: Float32Array;
   /** The sun where it is seen, bent by the air. */
@@ -44,6 +46,17 @@ export interface Fields {
   laws: Law[];
   /** Light of the moon in the same air; null by day and without a moon. */
   moonlit: Fields | null;
+  /** Light of a layer of cloud, added; null without. */
+  layer: Layer | null;
+}
+
+/** Light under an even layer of cloud on the grid of `Fields`, its share of the sky in it. */
+export interface Layer {
+  /** (rows, turns, 4, 3): what is scattered once, per shape of the phase functions, and the rest; XYZ, cd m-2. */
+  grid: Float32Array;
+  seen: Vec3;
+  /** Three shapes, sr-1, at angles even in the root of the angle. */
+  phases: Float32Array;
 }
 
 export interface Shaped {

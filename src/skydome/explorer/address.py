@@ -15,6 +15,7 @@ from skydome.ground.units import deg
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import kinds
 from skydome.skies.catalogue import CATALOGUE
+from skydome.skies.clouds.overcast import OvercastSky
 from skydome.skies.perez import Perez
 from skydome.skies.sky import Sky
 from skydome.skies.suns.sun_disc import SunDisc
@@ -31,6 +32,7 @@ KEYS = {
     "diffuse_share": "share",
     "clearness": "clearness",
     "cloud": "cloud",
+    "optical_depth": "depth",
 }
 """Parameters of skies and their names in the address."""
 
@@ -94,6 +96,8 @@ def address_of(sky: Sky) -> str:
         told["lux"] = plain(inner.illuminance)
     if isinstance(inner, PhysicalSky):
         told |= air_in_words(inner.atmosphere)
+    if isinstance(inner, OvercastSky):
+        told["particles"] = inner.kind.name
     return address(**told)
 
 

@@ -1,8 +1,7 @@
 /** Other air than the usual: by how much the fields of the physical sky's table change with the aerosol's kind and ozone. */
 
 import table from "../../data/airs.json";
-import { cubicAt } from "../../core/half";
-import { limited } from "../../core/vector";
+import { crossed, heldRows, type Mixed } from "../../core/cubic";
 import type { Law } from "../sky";
 
 export interface Air {
@@ -34,9 +33,6 @@ function numbers({ i1, scale }: Bytes): Float32Array {
   return whole;
 }
 
-/** Rows of a table with their weights. */
-type Mixed = [number, number][];
-
 /** Multiply fields (fields, shape) by the exponential of an air's factor times `amount`; `parts` of its rows make each field. */
 function multiply(fields: Float32Array, stored: { shapes: Bytes; airs: Bytes[] }, air: number, rows: Mixed, parts: Mixed[], amount: number): void {
   const [shapes, coefficients] = [numbers(stored.shapes), numbers(stored.airs[air])];
@@ -61,16 +57,13 @@ function multiply(fields: Float32Array, stored: { shapes: Bytes; airs: Bytes[] }
 /** Change the fields of a span, once (9, shape) and rest (3, shape), to another air; how many times the sun's light is that.
  *  `fine`: rows of the whole table's heights. */
 export function inAir(
-  { aerosol, ozone }: Air, span: number, fine: Mixed, height: number, logTurbidity: number, albedo: number, once: Float32Array, rest: Float32Array,
+  { aerosol, ozone }: Air, span: number, fine: Mixed, height: number, turbidity: number, albedo: number, once: Float32Array, rest: Float32Array,
 ): number {
   const stored = table.spans[span];
-  const mixed = (nodes: number[], x: number): Mixed => {
-    const [first, weights] = cubicAt(nodes, limited(x, nodes[0], nodes[nodes.length - 1]));
-    return weights.map((weight, k) => [first + k, weight]);
-  };
-  const [heights, hazes] = [mixed(stored.elevations, height), mixed(table.turbidities.map(Math.log), logTurbidity)];
-  const by = (high: Mixed, haze: Mixed): Mixed => high.flatMap(([a, v]) => haze.map(([b, w]): [number, number] => [a * table.turbidities.length + b, v * w]));
-  const [rows, fineRows] = [by(heights, hazes), by(fine, mixed(table.turbidities, Math.exp(logTurbidity)))];
+  const heights = heldRows(stored.elevations, height);
+  const hazes = table.turbidities;
+  const rows = crossed(heights, heldRows(hazes.map(Math.log), Math.log(turbidity)), hazes.length);
+  const fineRows = crossed(fine, heldRows(hazes, turbidity), hazes.length);
   const [alone, grounds] = [
     Array.from({ length: 9 }, (_, f): Mixed => [[f, 1]]),
     [0, 1, 2].map((c): Mixed => [[c, 1 - albedo], [3 + c, albedo]]),

@@ -2,7 +2,8 @@
 
 import { limited, sum, type Vec3 } from "../../core/vector";
 import { ROWS, TURNS } from "./grid";
-import type { Fields, Law } from "../sky";
+import { skydome_angle } from "../../data/formula";
+import type { Fields, Law, Layer } from "../sky";
 
 /** A phase function of 1 - cosine, sr-1. */
 export function phase(law: Law, away: number): number {
@@ -13,7 +14,7 @@ export function phase(law: Law, away: number): number {
 }
 
 /** A cell's twelve numbers at a view's height (its cosine from the zenith) and a turn from the sun, 0 to 1 for 180 degrees. */
-export function fieldsAt({ grid, leastCosine }: Fields, up: number, turned: number): number[] {
+export function fieldsAt(grid: Float32Array, leastCosine: number, up: number, turned: number): number[] {
   const angle = Math.acos(limited(up, leastCosine, 1)) / Math.acos(leastCosine);
   const row = Math.sqrt(Math.max(0, 1 - angle)) * (ROWS - 1);
   const turn = turned * (TURNS - 1);
@@ -27,20 +28,29 @@ export function fieldsAt({ grid, leastCosine }: Fields, up: number, turned: numb
   return cell;
 }
 
-/** XYZ toward a direction above the horizon, of the sun and of the moon. */
+/** XYZ toward a direction above the horizon, of the sun, of the moon and of cloud. */
 export function fieldsLight(fields: Fields, toward: Vec3): Vec3 {
-  const light = ofOneLamp(fields, toward);
-  return fields.moonlit ? sum(light, ofOneLamp(fields.moonlit, toward)) : light;
+  const { laws, leastCosine, moonlit, layer } = fields;
+  const away = (seen: Vec3): number => 0.5 * ((toward[0] - seen[0]) ** 2 + (toward[1] - seen[1]) ** 2 + (toward[2] - seen[2]) ** 2);
+  let light: Vec3 = [0, 0, 0];
+  if (fields.clear) light = lampLight(fields, leastCosine, toward, laws.map((law) => phase(law, away(fields.seen))));
+  if (moonlit) light = sum(light, lampLight(moonlit, leastCosine, toward, moonlit.laws.map((law) => phase(law, away(moonlit.seen)))));
+  return layer ? sum(light, lampLight(layer, leastCosine, toward, phasesAt(layer, away(layer.seen)))) : light;
 }
 
-function ofOneLamp(fields: Fields, toward: Vec3): Vec3 {
-  const { seen, laws } = fields;
+/** Straight lines between a layer's phase functions. */
+function phasesAt({ phases }: Layer, away: number): number[] {
+  const last = phases.length / 3 - 1;
+  const place = Math.sqrt(skydome_angle(Math.min(1, away / 2)) / Math.PI) * last;
+  const first = Math.min(Math.floor(place), last - 1);
+  return [0, 1, 2].map((k) => phases[3 * first + k] + (phases[3 * first + 3 + k] - phases[3 * first + k]) * (place - first));
+}
+
+function lampLight({ grid, seen }: Fields | Layer, leastCosine: number, toward: Vec3, shapes: number[]): Vec3 {
   const level = toward[0] * seen[0] + toward[1] * seen[1];
   const across = Math.abs(toward[0] * seen[1] - toward[1] * seen[0]);
-  const cell = fieldsAt(fields, toward[2], Math.atan2(across, level) / Math.PI);
-  const away = 0.5 * ((toward[0] - seen[0]) ** 2 + (toward[1] - seen[1]) ** 2 + (toward[2] - seen[2]) ** 2);
-  const shapes = [...laws.map((law) => phase(law, away)), 1];
-  const light = [0, 0, 0];
+  const cell = fieldsAt(grid, leastCosine, toward[2], Math.atan2(across, level) / Math.PI);
+  const light = [cell[9], cell[10], cell[11]];
   shapes.forEach((shape, k) => {
     for (let c = 0; c < 3; c++) light[c] += shape * cell[3 * k + c];
   });

@@ -1,0 +1,84 @@
+/** Light under a layer of cloud that was scattered more than once: a network's sum of shapes of the dome, as the package has it. */
+
+import table from "../../data/overcast.json";
+import { halves } from "../../core/half";
+import { DEG, limited } from "../../core/vector";
+import { WAVES, type Optics } from "./optics";
+
+const [SHAPES, NODES, TERMS] = table.shapes.shape;
+export { NODES };
+
+/** A measure of the sun's elevation that is finest at -4 degrees. */
+const placeOf = (degrees: number): number => Math.asinh((degrees + 4) / 8);
+
+/** What the network reads at wavelength number w, the sun's elevation by its sine. */
+function features(air: Optics, sine: number, w: number): number[] {
+  const { exp, log, sqrt } = Math;
+  const above = (sine + sqrt(sine * sine + 0.01)) / 2;
+  const path = 1 / (above + 0.05);
+  const [m, n, o, tau] = [air.above[w], air.below[w], air.ozone[w], air.cloud[w]];
+  const [a, g, f, { ground }] = [air.albedo[w], air.asymmetry[w], air.peak[w], air];
+  const [turned, lost, scaled] = [tau * (1 - a * g), tau * (1 - a), tau * (1 - a * f)];
+  const dying = sqrt(Math.max(0, 3 * lost * turned));
+  const mirror = (0.75 * turned) / (1 + 0.75 * turned);
+  const degrees = Math.asin(sine) / DEG;
+  return [
+    m, n, o, a, g, f, ground, mirror, dying, lost, exp(-0.3 * path * scaled), exp(-0.3 * scaled),
+    log(tau), log(turned), log(1 + 0.75 * turned), log(1 + dying), log(1 + lost),
+    log(m + 0.01), log(n + 0.01), ground * mirror, log(1.02 - ground * mirror), ground * n,
+    path * m, path * o, exp(-path * m), exp(-path * o), log(1 + path * turned),
+    placeOf(degrees), sine, exp(-(((degrees + 2) / 5) ** 2)), exp(-(((degrees - 3) / 6) ** 2)), path,
+  ];
+}
+
+/** How much of each shape: Chebyshev polynomials of the sun's place for the first, the network's for the others. */
+function coefficients(air: Optics, sine: number, w: number): number[] {
+  const [low, high] = table.places;
+  const x = limited((2 * placeOf(Math.asin(sine) / DEG) - low - high) / (high - low), -1, 1);
+  let found = features(air, sine, w);
+  table.layers.forEach(({ weights, biases }, number) => {
+    const [matrix, [inputs, outputs]] = [halves(weights), weights.shape];
+    const next = Float64Array.from(halves(biases));
+    for (let i = 0; i < inputs; i++) for (let k = 0; k < outputs; k++) next[k] += found[i] * matrix[i * outputs + k];
+    found = Array.from(next, (z) => (number < table.layers.length - 1 ? z / (1 + Math.exp(limited(-z, -60, 60))) : z));
+  });
+  const mean = [1, x];
+  while (mean.length < SHAPES - found.length) mean.push(2 * x * mean[mean.length - 1] - mean[mean.length - 2]);
+  return [...mean.slice(0, SHAPES - found.length), ...found];
+}
+
+/** Values of the shapes at the nodes and at even azimuths, (shapes, nodes x turns). */
+function onTurns(turns: number): Float32Array {
+  const shapes = halves(table.shapes);
+  const values = new Float32Array(SHAPES * NODES * turns);
+  for (let row = 0; row < SHAPES * NODES; row++) {
+    for (let t = 0; t < turns; t++) {
+      let total = 0;
+      for (let m = 0; m < TERMS; m++) total += shapes[row * TERMS + m] * Math.cos((m * Math.PI * t) / (turns - 1));
+      values[row * turns + t] = total;
+    }
+  }
+  return values;
+}
+
+let shapesOnTurns: Float32Array | null = null;
+
+/** X, Y and Z of the rest for a sun 1 AU away, each (nodes, turns), one after the other. */
+export function restOf(air: Optics, sine: number, turns: number): Float32Array {
+  const shapes = (shapesOnTurns ??= onTurns(turns));
+  const count = NODES * turns;
+  const light = new Float32Array(3 * count);
+  const log = new Float64Array(count);
+  for (let w = 0; w < WAVES; w++) {
+    log.fill(0);
+    coefficients(air, sine, w).forEach((amount, s) => {
+      for (let n = 0; n < count; n++) log[n] += amount * shapes[s * count + n];
+    });
+    const colour = table.colours[w];
+    for (let n = 0; n < count; n++) {
+      const radiance = Math.max(0, Math.exp(log[n]) - table.dark);
+      for (let c = 0; c < 3; c++) light[c * count + n] += radiance * colour[c];
+    }
+  }
+  return light;
+}

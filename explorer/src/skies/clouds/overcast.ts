@@ -1,0 +1,55 @@
+/** The overcast sky: an even layer of cloud over the whole sky, as fields on the same grid as the physical sky's. */
+
+import table from "../../data/overcast.json";
+import { azimuth, direction, elevation, type Vec3 } from "../../core/vector";
+import { ROWS, TURNS } from "../physical/grid";
+import { Refiner } from "../physical/refine";
+import type { Layer } from "../sky";
+import { NODES, restOf } from "./network";
+import { beamOnGround, KINDS, once, opticsOf, type Kind } from "./optics";
+
+/** Azimuths, of half a sky, at which the network is asked. */
+const COARSE = 33;
+const REFINER = new Refiner(NODES, COARSE);
+
+/** Illuminance, lx, below which no sun is seen. */
+const LEAST = 1e-3;
+
+export interface Overcast {
+  layer: Layer;
+  /** Illuminance of the sun through the cloud on a plane that faces it, lx. */
+  lux: number;
+}
+
+/** Shapes of a kind's phase functions, three numbers for each angle. */
+const tables: Record<Kind, Float32Array> = { water: phases("water"), ice: phases("ice") };
+
+function phases(kind: Kind): Float32Array {
+  return Float32Array.from(KINDS[kind].shapes.flat());
+}
+
+/** Cosine to the vertical of a fine grid's row. */
+function heightOf(row: number): number {
+  return Math.cos(Math.acos(table.leastCosine) * (1 - (row / (ROWS - 1)) ** 2));
+}
+
+/** The sky under a layer of an optical depth, its light times `share`; the sun's strength over that 1 AU away. */
+export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: number, strength: number, share: number): Overcast {
+  const sine = Math.max(0, sun[2]);
+  const air = opticsOf(kind, depth, albedo);
+  const grid = new Float32Array(ROWS * TURNS * 12);
+  const rest = restOf(air, sine, COARSE);
+  for (let c = 0; c < 3; c++) REFINER.refine(rest, c * NODES * COARSE, grid, 9 + c, strength * share);
+  const { mixture } = KINDS[kind];
+  for (let row = 0; row < ROWS; row++) {
+    const single = once(air, heightOf(row), sine);
+    for (let s = 0; s < 3; s++) {
+      for (let c = 0; c < 3; c++) {
+        const light = single.reduce((total, value, w) => total + value * mixture[s][w] * table.colours[w][c], 0);
+        for (let turn = 0; turn < TURNS; turn++) grid[(row * TURNS + turn) * 12 + 3 * s + c] = light * strength * share;
+      }
+    }
+  }
+  const beam = beamOnGround(air, sun[2]).reduce((total, value, w) => total + value * table.colours[w][1], 0);
+  return { layer: { grid, seen: direction(azimuth(sun), elevation(sun)), phases: tables[kind] }, lux: beam < LEAST ? 0 : strength * beam };
+}
