@@ -52,6 +52,7 @@ def from_command(page, folder, height):
         f"{TURIN}&time=10:30&model=perez&letters=-0.9,-0.2,6,-3.5,0.3&lux=15500&turbidity=2.4",
         f"{TURIN}&time=17:00&model=harrison-coombes&cloud=0.35",
         f"{TURIN}&time=17:00&model=uniform",
+        f"{TURIN}&time=12:40&model=overcast&depth=14&particles=ice&albedo=0.3&target=blender",
     ],
 )
 def test_a_file_is_what_the_command_writes(opened, tmp_path, query):
@@ -137,7 +138,7 @@ def test_an_address_comes_back_as_it_was(opened):
         "?v=1&model=preetham&beside=cie-12&place=-33.868,151.207&zone=Australia/Sydney&date=2027-01-05&time=07:42"
         "&turbidity=4.2&view=panorama&look=95&show=luminance&ev=12.5&bar=2.5,4.5&wipe=0.3&path=no&analemma=yes"
         "&target=three&theme=light&aerosol=desert&ozone=300&haze=visibility&moon=no&letters=-0.9,-0.2,6,-3.5,0.3&lux=9000"
-        "&share=0.4&clearness=0.6&cloud=0.2"
+        "&share=0.4&clearness=0.6&cloud=0.2&depth=14&cover=0.3&particles=ice&stars=no"
     )
     page = opened(query)
     state = page.ask("explorer.state")

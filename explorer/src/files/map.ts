@@ -5,6 +5,7 @@ import { times, type Vec3 } from "../core/vector";
 import type { Renderer } from "../picture/renderer";
 import { mapView } from "../picture/view";
 import type { Sky } from "../skies/sky";
+import { pointsOnMap } from "./pointmap";
 import { discOnMap } from "./sunmap";
 
 /** Linear sRGB, (1, 1, 1) being 1 cd m-2, three numbers a texel; twice as wide as high, `left` the azimuth at the edge. */
@@ -23,6 +24,9 @@ export function mapPixels(renderer: Renderer, sky: Sky, ground: Vec3, height: nu
     for (const [texel, xyz] of discOnMap(sky.disc, { height, left })) {
       times(matrix, xyz).forEach((value, c) => (pixels[3 * texel + c] += value));
     }
+  }
+  if (sky.points) {
+    pointsOnMap(sky.points, { height, left }, (texel, xyz) => times(matrix, xyz).forEach((value, c) => (pixels[3 * texel + c] += value)));
   }
   return within(pixels);
 }

@@ -87,7 +87,7 @@ export function select<K extends keyof State>(
 }
 
 /** A box to tick. */
-export function checkbox(label: string, name: "path" | "moon" | "analemma", change: Change): Control {
+export function checkbox(label: string, name: "path" | "moon" | "stars" | "analemma", change: Change): Control {
   const input = h("input", { type: "checkbox", change: () => change({ [name]: input.checked }) });
   const element = h("label", { class: "check" }, input, label);
   return { element, follow: (scene) => void (input.checked = scene.state[name]) };

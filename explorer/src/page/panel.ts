@@ -130,7 +130,8 @@ export function pictureSection(change: Change): { element: HTMLElement; controls
       tell(lock, state.ev === null ? "Lock exposure" : "Unlock exposure");
     },
   };
-  const boxes = [checkbox("Sun path of the day", "path", change), checkbox("Moon, and its light at night", "moon", change), checkbox("Analemma of the hour", "analemma", change)];
+  const boxes = [checkbox("Sun path of the day", "path", change), checkbox("Moon, and its light at night", "moon", change),
+    checkbox("Stars, planets and airglow at night", "stars", change), checkbox("Analemma of the hour", "analemma", change)];
   const targets = new Map([["", Object.entries(TARGETS).map(([name, { note }]): [string, string] => [name, `${name} (${note})`])]]);
   const target = select("Renderer's north", "target", targets, change, (value) => ({ look: (TARGETS[value].left + 180) % 360, view: "panorama" } as Partial<State>));
   return {

@@ -5,6 +5,7 @@ import { modelNamed, MODELS, skyOf } from "../skies/catalogue";
 import type { Conditions, Model } from "../skies/model";
 import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
+import type { Hour } from "../skies/night/night";
 import type { Sky } from "../skies/sky";
 import { instant } from "../sun/clock";
 import { moonOver, type Moon } from "../sun/moon";
@@ -38,11 +39,12 @@ export const GREY = 0.18;
 export const EV_PER_LUMINANCE = 8;
 
 /** What the state's skies are made of under a sun. */
-export function conditionsOf(state: State, sun: Vec3, distance: number, given: Moon | null = null): Conditions {
+export function conditionsOf(state: State, sun: Vec3, distance: number, given: Moon | null = null, hour: Hour | null = null): Conditions {
   const { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, depth, cover, particles, aerosol, ozone } = state;
   const moon = state.sun || !state.moon ? null : given;
   const numbers = { turbidity, albedo, dni, dhi, dew, letters, lux, share, clearness, cloud, depth, cover };
-  return { ...numbers, sun, distance, radius: radiusAt(distance), moon, particles, air: { aerosol, ozone } };
+  const night = state.sun || !state.stars ? null : hour;
+  return { ...numbers, night, sun, distance, radius: radiusAt(distance), moon, particles, air: { aerosol, ozone } };
 }
 
 /** The scene of a state. */
@@ -52,7 +54,7 @@ export function sceneOf(state: State): Scene {
   const sun = state.sun ? direction(state.sun[0] * DEG, state.sun[1] * DEG) : found.toward;
   const distance = state.sun ? 1 : found.distance;
   const moon = moonOver(state, utc);
-  const conditions = conditionsOf(state, sun, distance, moon);
+  const conditions = conditionsOf(state, sun, distance, moon, { place: state, utc });
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));

@@ -39,6 +39,8 @@ export interface State extends Numbers {
   path: boolean;
   /** Whether the moon is shown, and lights the physical sky at night. */
   moon: boolean;
+  /** Whether stars, planets and the glow of the night are. */
+  stars: boolean;
   analemma: boolean;
   target: string;
   theme: "" | "dark" | "light";
@@ -52,7 +54,7 @@ export const USUAL: State = {
   model: "hosek-wilkie", beside: "", latitude: 45.07, longitude: 7.687, zone: "Europe/Rome", name: "Turin, Italy",
   date: "2026-06-21", minutes: 18 * 60 + 30, sun: null, turbidity: 3, albedo: 0.2, dni: 700, dhi: 120, dew: 11,
   letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, depth: 10, cover: 0, particles: "water", aerosol: "usual", ozone: 330, haze: "turbidity",
-  view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, moon: true, analemma: false,
+  view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, moon: true, stars: true, analemma: false,
   target: "native", theme: "", url: "",
 };
 
@@ -114,7 +116,7 @@ function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | 
   };
 }
 
-function switched(name: "path" | "moon" | "analemma"): Entry {
+function switched(name: "path" | "moon" | "stars" | "analemma"): Entry {
   return {
     key: name,
     read: (text) => (text === "yes" || text === "no" ? { [name]: text === "yes" } : undefined),
@@ -202,7 +204,7 @@ export const ENTRIES: Entry[] = [
     },
     write: ({ bar }) => (bar ? bar.map((value) => round(value, 2)).join() : "auto"),
   },
-  numeric("wipe"), switched("path"), switched("moon"), switched("analemma"),
+  numeric("wipe"), switched("path"), switched("moon"), switched("stars"), switched("analemma"),
   choice("target", (text) => Object.hasOwn(TARGETS, text)), choice("theme", oneOf("", "dark", "light")),
   choice("url", (text) => text === "" || isLocalPath(text)),
 ];

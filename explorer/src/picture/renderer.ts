@@ -2,9 +2,11 @@
 
 import { TABLES } from "../core/tables";
 import type { Vec3 } from "../core/vector";
+import { COLUMNS, RINGS } from "../skies/night/glow";
 import { ROWS, TURNS } from "../skies/physical/grid";
 import type { Fields, Sky } from "../skies/sky";
 import { display } from "./display";
+import { PointDrawer, POINTS_NAMES, POINTS_SHADERS } from "./points";
 import { FieldTextures, FIRST_UNIT } from "./textures";
 import { networkBlock, programKey, skyShader, VERTEX } from "./shaders";
 import type { View } from "./view";
@@ -37,6 +39,7 @@ export class Renderer {
   private block: WebGLBuffer | null = null;
   private textures!: FieldTextures;
   private linear = false;
+  private pointed: PointDrawer | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, powerPreference: "low-power" });
@@ -55,6 +58,7 @@ export class Renderer {
     if (!gl.getExtension("EXT_color_buffer_float") && !gl.isContextLost()) {
       throw new Error("this browser cannot draw into float textures, which the explorer needs");
     }
+    this.pointed = gl.getExtension("EXT_float_blend") ? new PointDrawer(gl) : null;
     this.linear = gl.getExtension("OES_texture_float_linear") !== null;
     const corners = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, corners);
@@ -64,18 +68,18 @@ export class Renderer {
     this.block = gl.createBuffer();
   }
 
-  private program(key: string, fragment: () => string): WebGLProgram {
+  private program(key: string, fragment: () => string, vertex = VERTEX): WebGLProgram {
     const found = this.programs.get(key);
     if (found) return found;
     const { gl } = this;
     const program = gl.createProgram()!;
-    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment()]] as const) {
+    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment()]] as const) {
       const shader = gl.createShader(kind)!;
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
       gl.attachShader(program, shader);
     }
-    gl.bindAttribLocation(program, 0, "corner");
+    for (const [name, place] of Object.entries({ corner: 0, ...POINTS_NAMES })) gl.bindAttribLocation(program, place, name);
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
       const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
@@ -134,6 +138,7 @@ export class Renderer {
     gl.uniform1i(this.at(program, "masked"), Number(masked));
     this.tell(program, sky);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (sky.points && !masked) this.pointed?.draw(this.program("points", () => POINTS_SHADERS[1], POINTS_SHADERS[0]), sky.points, view, width, height);
     return target;
   }
 
@@ -167,11 +172,13 @@ export class Renderer {
     this.textures.bind(1, moonlit?.grid ?? null, 4 * TURNS, ROWS);
     this.textures.bind(2, layer?.grid ?? null, 4 * TURNS, ROWS);
     this.textures.bind(3, layer?.phases ?? null, (layer?.phases.length ?? 3) / 3, 1);
-    ["grid", "moon_grid", "layer_grid", "layer_phases"].forEach((name, k) => gl.uniform1i(this.at(program, name), FIRST_UNIT + k));
+    this.textures.bind(4, fields.glow, COLUMNS, RINGS);
+    ["grid", "moon_grid", "layer_grid", "layer_phases", "glow_grid"].forEach((name, k) => gl.uniform1i(this.at(program, name), FIRST_UNIT + k));
     gl.uniform1f(this.at(program, "lit"), lit);
     gl.uniform1i(this.at(program, "clear"), Number(fields.clear));
     gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
     gl.uniform1i(this.at(program, "layered"), Number(layer !== null));
+    gl.uniform1i(this.at(program, "glowing"), Number(fields.glow !== null));
     const [lobe] = fields.laws[1].lobes;
     gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);

@@ -1,21 +1,21 @@
 /** The sky models of the page by the package's names: what each takes, and how its sky is made. */
 
 import { TABLES } from "../core/tables";
-import { azimuth, DEG, direction, halfSquare, limited, scaled, times, type Vec3 } from "../core/vector";
+import { halfSquare, limited, times, type Vec3 } from "../core/vector";
 import { levelledCie, levelledClear } from "./cie";
-import { overcastLight } from "./clouds/overcast";
-import { discOf } from "./disc";
 import { hosekLetters } from "./hosek";
 import { channel } from "./light";
 import { skydome_angle } from "../data/formula";
+import { base, risen, withDisc } from "./made";
 import { foldedNetwork, NETWORKS, networkOutputs } from "./network";
 import type { Conditions, Model } from "./model";
 import { asrc, brungerHooper, harrisonCoombes, intermediate, moonSpencer, pokrowski, uniform, type Levelled } from "./older";
 import { allWeather, byLetters, byWeather, igawa } from "./perez";
-import { LAWS, LEAST_COSINE, LOWEST, physicalLight } from "./physical/physical";
+import { covered, overcast, physical } from "./physical/skies";
+import { LOWEST } from "./physical/physical";
 import { preethamLetters } from "./preetham";
 import { shaped } from "./shaped";
-import type { Fields, Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
+import type { Formula, Letters, Network, Recipe, Sky, Spectrum } from "./sky";
 
 const EYE = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NORMAL = EYE.map((row) => row.map((value) => value * TABLES.efficacy));
@@ -23,22 +23,8 @@ const RGB = TABLES.colour.srgbToXYZ.map((row) => row.map((value) => value * TABL
 const GREY = TABLES.colour.d65.map((value) => [value]);
 const GREY_NOTE = "colour: the model knows luminance only; daylight of D65 is given to it";
 
-/** Overcast up to the horizon: no sky before sunrise but the physical one. */
-function base(name: string, c: Conditions, recipe: Recipe, ground: number, notes: string[] = []): Sky {
-  return { name, sun: c.sun, recipe, day: c.sun[2] > 0, ground, disc: null, spectrum: null, notes };
-}
-
 function formula(channels: Letters[], toXYZ: number[][], hosek = false, chromatic = false): Formula {
   return { kind: "formula", channels, hosek, chromatic, toXYZ };
-}
-
-/** Models need a sun above the horizon for their numbers; below it their light is 0 anyhow. */
-function risen(sun: Vec3): Vec3 {
-  return sun[2] > 0 ? sun : direction(azimuth(sun), 1e-6);
-}
-
-function withDisc(sky: Sky, c: Conditions, turbidity: number, lux: number | null = null): Sky {
-  return { ...sky, disc: discOf(c.sun, turbidity, c.radius, lux) };
 }
 
 function preetham(c: Conditions): Sky {
@@ -139,43 +125,6 @@ function cieClear(c: Conditions): Sky {
   const letters = levelledClear(risen(c.sun), c.turbidity);
   return withDisc(base("cie-clear", c, formula([letters], GREY), TABLES.albedo.ground, [GREY_NOTE]), c, c.turbidity);
 }
-
-/** The physical sky: its table's fields; in twilight too, and under the moon. */
-function physical(c: Conditions): Sky {
-  const near = c.distance ** -2;
-  const ofSun = physicalLight(c.sun, c.turbidity, c.albedo, c.air, c.sun[2] > END ? [near, near, near] : [0, 0, 0]);
-  const sky = base("physical", c, ofSun.fields, c.albedo);
-  const { moon } = c;
-  const moonlit = moon && c.sun[2] < 0 && moon.toward[2] > END ? physicalLight(moon.toward, c.turbidity, c.albedo, c.air, moon.light) : null;
-  const day = c.sun[2] > END || moonlit !== null;
-  if (!moonlit) return { ...withDisc(sky, c, 3, ofSun.lux), day };
-  const disc = discOf(moon!.toward, 3, moon!.radius, moonlit.lux);
-  const notes = c.sun[2] < TWILIGHT ? [NIGHT_NOTE] : [];
-  return { ...sky, recipe: { ...ofSun.fields, moonlit: moonlit.fields }, disc, day, notes };
-}
-
-/** The physical sky by day with its share of an even layer of cloud. */
-function covered(c: Conditions, clear: Sky): Sky {
-  if (!(c.cover > 0) || clear.recipe.kind !== "fields") return clear;
-  if (c.sun[2] <= 0) return { ...clear, notes: [...clear.notes, "overcast share: by day alone"] };
-  const { layer } = overcastLight(c.sun, "water", c.depth, c.albedo, c.distance ** -2, c.cover);
-  const left = 1 - c.cover;
-  const recipe = { ...clear.recipe, clear: left > 0, grid: clear.recipe.grid.map((value) => left * value), layer };
-  const disc = clear.disc && left > 0 ? { ...clear.disc, normal: scaled(clear.disc.normal, left) } : null;
-  return { ...clear, recipe, disc };
-}
-
-/** An even layer of cloud over the whole sky. */
-function overcast(c: Conditions): Sky {
-  const sun = risen(c.sun);
-  const { layer, lux } = overcastLight(sun, c.particles, c.depth, c.albedo, c.distance ** -2, 1);
-  const recipe: Fields = { kind: "fields", clear: false, grid: layer.grid, seen: sun, leastCosine: LEAST_COSINE, laws: LAWS, moonlit: null, layer };
-  return withDisc(base("overcast", c, recipe, c.albedo), c, 3, lux);
-}
-
-/** Sines of the elevations to which a lamp lights the air, and below which stars and glows are more than a hundredth. */
-const [END, TWILIGHT] = [Math.sin(LOWEST * DEG), Math.sin(-12 * DEG)];
-const NIGHT_NOTE = "night: stars, airglow and zodiacal light are left out; the command has them";
 
 const CIE_NAMES = [
   "overcast, steep gradation", "overcast, brightening sunward", "overcast, gradual", "overcast, gradual, sunward",

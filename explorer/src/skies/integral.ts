@@ -4,7 +4,7 @@ import { TABLES } from "../core/tables";
 import { azimuth, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
 import { channel } from "./light";
 import { xyzToward } from "./light";
-import type { Letters, Sky } from "./sky";
+import type { Letters, Points, Sky } from "./sky";
 
 const { near: NEAR, weight: WEIGHT } = TABLES.nodes;
 
@@ -39,11 +39,19 @@ export function diffuseXYZ(sky: Sky): Vec3 {
   if (!sky.day) return total;
   const lamp = sky.disc?.toward ?? sky.sun;
   const turn = azimuth(lamp);
-  const around = sky.recipe.kind === "fields" && sky.recipe.moonlit ? bothSides : nodesAbout;
+  const { recipe, points } = sky;
+  const around = recipe.kind === "fields" && (recipe.moonlit || recipe.glow) ? bothSides : nodesAbout;
   around(Math.PI / 2 - elevation(lamp), (zenith, difference, solidAngle) => {
     const toward = direction(turn + difference, Math.PI / 2 - zenith);
     total = sum(total, scaled(xyzToward(sky, toward), solidAngle * Math.cos(zenith)));
   });
+  return points ? sum(total, onLevel(points)) : total;
+}
+
+/** Light of points on the horizontal, XYZ, Y in lx. */
+function onLevel({ toward, light }: Points): Vec3 {
+  let total: Vec3 = [0, 0, 0];
+  for (let k = 0; k < light.length; k += 3) total = sum(total, scaled([light[k], light[k + 1], light[k + 2]], toward[k + 2]));
   return total;
 }
 

@@ -3,6 +3,7 @@
 import type { Vec3 } from "../core/vector";
 import type { Moon } from "../sun/moon";
 import type { Kind } from "./clouds/optics";
+import type { Hour } from "./night/night";
 import type { Air } from "./physical/airs";
 import type { Sky } from "./sky";
 
@@ -36,6 +37,8 @@ export interface Conditions extends Numbers {
   particles: Kind;
   /** The moon of that hour; null where it is left out, or the sun is set by hand. */
   moon: Moon | null;
+  /** Where and when, for stars and the glow of the night; null where they are left out. */
+  night: Hour | null;
 }
 
 /** Parameters that few models have. */

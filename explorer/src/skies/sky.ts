@@ -48,6 +48,8 @@ export interface Fields {
   moonlit: Fields | null;
   /** Light of a layer of cloud, added; null without. */
   layer: Layer | null;
+  /** What glows at night whatever sun and moon do, XYZ on the grid of `night/glow.ts`; null by day. */
+  glow: Float32Array | null;
 }
 
 /** Light under an even layer of cloud on the grid of `Fields`, its share of the sky in it. */
@@ -90,8 +92,16 @@ export interface Sky {
   /** Light on a plane that faces the sun, XYZ in lx; null without a disc. */
   disc: Disc | null;
   spectrum: ((toward: Vec3) => Spectrum) | null;
+  /** Stars and planets; null by day. */
+  points: Points | null;
   /** What was decided for the user, a line each. */
   notes: string[];
+}
+
+/** Points of light: unit vectors, and XYZ on a plane that faces each, lx; three numbers each. */
+export interface Points {
+  toward: Float32Array;
+  light: Float32Array;
 }
 
 export interface Disc {

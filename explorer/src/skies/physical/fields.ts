@@ -1,6 +1,7 @@
 /** A physical sky held as fields: straight lines between the nodes of a fine grid, phase functions put in exactly. */
 
 import { limited, sum, type Vec3 } from "../../core/vector";
+import { glowAt } from "../night/glow";
 import { ROWS, TURNS } from "./grid";
 import { skydome_angle } from "../../data/formula";
 import type { Fields, Law, Layer } from "../sky";
@@ -28,14 +29,15 @@ export function fieldsAt(grid: Float32Array, leastCosine: number, up: number, tu
   return cell;
 }
 
-/** XYZ toward a direction above the horizon, of the sun, of the moon and of cloud. */
+/** XYZ toward a direction above the horizon, of the sun, of the moon, of cloud and of what glows at night. */
 export function fieldsLight(fields: Fields, toward: Vec3): Vec3 {
   const { laws, leastCosine, moonlit, layer } = fields;
   const away = (seen: Vec3): number => 0.5 * ((toward[0] - seen[0]) ** 2 + (toward[1] - seen[1]) ** 2 + (toward[2] - seen[2]) ** 2);
   let light: Vec3 = [0, 0, 0];
   if (fields.clear) light = lampLight(fields, leastCosine, toward, laws.map((law) => phase(law, away(fields.seen))));
   if (moonlit) light = sum(light, lampLight(moonlit, leastCosine, toward, moonlit.laws.map((law) => phase(law, away(moonlit.seen)))));
-  return layer ? sum(light, lampLight(layer, leastCosine, toward, phasesAt(layer, away(layer.seen)))) : light;
+  if (layer) light = sum(light, lampLight(layer, leastCosine, toward, phasesAt(layer, away(layer.seen))));
+  return fields.glow ? sum(light, glowAt(fields.glow, toward)) : light;
 }
 
 /** Straight lines between a layer's phase functions. */

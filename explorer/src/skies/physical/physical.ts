@@ -77,6 +77,6 @@ export function physicalLight(sun: Vec3, turbidity: number, albedo: number, air:
   const seen = heights.reduce((total, [row, weight]) => total + weight * span.seen[row], 0) + degrees - height;
   const laws = table.laws.map((law, k) => (k === 1 ? lawOf(air, law) : law));
   const lux = dimmed * Math.exp(airs.reduce((total, [row, weight]) => total + weight * span.lux.flat()[row], 0));
-  const fields: Fields = { kind: "fields", clear: true, grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws, moonlit: null, layer: null };
+  const fields: Fields = { kind: "fields", clear: true, grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws, moonlit: null, layer: null, glow: null };
   return { fields, lux: lux < 1e-3 ? 0 : lux * strength[1] };
 }

@@ -1,0 +1,148 @@
+"""Stars, planets and glows of the night for the explorer's page, data/night.json: `python scripts/export_night.py`.
+
+Stars are those of the extra `night`, places of 2030; planets are Kepler's orbits (`fit_planets.py`). Of the usual air
+at some turbidities it has logarithms: of what stays of starlight, of the light that glows of a brightness bring, and
+airglow's own, each X, Y and Z over rings that crowd at the horizon.
+"""
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from explorer_digits import digits
+from export_physical import LEAST_HAZE
+from fit_planets import OBLIQUITY, orbit
+
+from skydome.ground.units import deg
+from skydome.light.spectrum import xyz_weights
+from skydome.skies.catalogue import model_named
+from skydome.skies.night import starlight, zodiacal
+from skydome.skies.night.airglow import Airglow
+from skydome.skies.night.celestial import UNIT, Celestial
+from skydome.skies.night.hour import GLOWS_SEEN, POINTS_SEEN
+from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of
+from skydome.skies.night.stars import FAINTEST
+from skydome.skies.night.through_air import Air, of_celestial
+from skydome.stars.catalogue import EPOCH, hipparcos
+from skydome.stars.planets import COLOURS, FAR_MARS, FAR_VENUS, NUMBERS, POLE_OF_SATURN, POLYNOMIALS
+
+PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "night.json"
+TURBIDITIES = (1.0, LEAST_HAZE, 3.0, 6.0, 10.0)
+RINGS = 65
+"""Heights, even in the cube root."""
+LEVELS = 10.0 ** np.array([np.log10(77.0), 2.244, 2.255, 3.7])
+"""Brightnesses where Noll et al.'s shares bend, 1e-8 W m-2 um-1 sr-1."""
+YEAR, HUE = 2030.0, np.arange(-0.4, 2.01, 0.2)
+TRUE = np.concatenate([np.arange(-1.0, 2.0, 0.1), np.arange(2.0, 90.1, 2.0)])
+"""Elevations without air, degrees, at which it is told where one sees it."""
+STEP = 1e-3
+
+
+def airs() -> list[Air]:
+    """The usual air at the turbidities."""
+    return [Air(model_named("physical").air({"turbidity": turbidity})) for turbidity in TURBIDITIES]
+
+
+def sines() -> np.ndarray:
+    """Sines of the rings' elevations."""
+    return np.asarray(np.sin(np.linspace(0.0, 1.0, RINGS) ** 3 * np.pi / 2))
+
+
+def told(logarithms: np.ndarray) -> dict[str, Any]:
+    """Logarithms (turbidities, ..., rings, 3), differences along the rings."""
+    return digits(np.moveaxis(logarithms, -1, 0), STEP, logarithms.ndim - 1)
+
+
+def glow(kind: type[Celestial]) -> dict[str, Any]:
+    """Logarithm of XYZ for each unit of brightness, (turbidities, levels, rings, 3)."""
+    weights = kind(turn=np.eye(3)).spectrum(kind.bands)[:, None] * xyz_weights(kind.bands)
+    rows = [
+        [air.dimmed(sines(), kind.bands, *of_celestial(np.asarray(level))) @ weights for level in LEVELS]
+        for air in airs()
+    ]
+    return told(np.log(np.asarray(rows) * UNIT))
+
+
+def airglow() -> dict[str, Any]:
+    """Logarithm of XYZ of airglow, (turbidities, rings, 3)."""
+    sine, bands = sines(), Airglow.bands
+    views = np.stack([0 * sine, np.sqrt(1 - sine * sine), sine], axis=-1)
+    rows = [Airglow(air.atmosphere).glow(views, bands) @ xyz_weights(bands) for air in airs()]
+    return told(np.log(np.asarray(rows)))
+
+
+def stars() -> dict[str, Any]:
+    """Right ascension and declination of J2000, radians, magnitude and colour, in the order of declinations."""
+    table = hipparcos(FAINTEST)
+    years = (YEAR - EPOCH) * deg / 3.6e6
+    north = table.declination + years * table.north
+    along = table.right_ascension + years * table.along / np.cos(table.declination)
+    order = np.argsort(north)
+    return {
+        "along": digits(along[order], 1e-4, 0), "north": digits(north[order], 1e-4, 0),
+        "magnitude": digits(table.magnitude[order], 0.01, 0), "hue": digits(table.colour[order], 0.02, 0),
+    }  # fmt: skip
+
+
+def starlight_left() -> dict[str, Any]:
+    """Logarithm of what stays of X, Y and Z of a star like the sun, (turbidities, rings, 3)."""
+    light = starlight_of(np.asarray(0.0), np.asarray(0.65))[:, None] * xyz_weights(BANDS)
+    rows = [air.transmittance(sines(), BANDS) @ light / light.sum(axis=0) for air in airs()]
+    return told(np.log(np.asarray(rows)))
+
+
+def lift() -> list[float]:
+    """By how much the air lifts what stands at `TRUE`, degrees."""
+    true = np.stack([0 * TRUE, np.cos(TRUE * deg), np.sin(TRUE * deg)], axis=-1)
+    seen = airs()[2].lifted(true)
+    return (np.arcsin(np.clip(seen[:, 2], -1, 1)) / deg - TRUE).round(5).tolist()
+
+
+def planets() -> dict[str, Any]:
+    """Orbits and how bright they are (Mallama and Hilton 2018)."""
+    return {
+        name: {"orbit": orbit(name)[0].round(9).tolist(), "hue": COLOURS[name], "magnitude": list(POLYNOMIALS[name])}
+        for name in list(NUMBERS)[:6]
+    }
+
+
+def milky_way() -> dict[str, Any]:
+    """Brightness at 440 nm, 1e-8 W m-2 um-1 sr-1, by galactic latitude and longitude; the axes from J2000."""
+    latitudes, longitudes, values = starlight.round_the_circle()
+    one = starlight.Starlight(turn=np.eye(3)).brightness(np.array([0.0, 0.0, 1.0])) / values[-1, 0] / UNIT
+    whole = digits(values * one, 0.1, 1)
+    return {
+        "rows": latitudes.tolist(),
+        "columns": longitudes.tolist(),
+        "values": whole,
+        "axes": starlight.GALACTIC.tolist(),
+    }
+
+
+def dust() -> dict[str, Any]:
+    """Logarithm of the zodiacal light at 500 nm, 1e-8 W m-2 um-1 sr-1, by ecliptic longitude from the sun, latitude."""
+    longitudes, latitudes, logarithm = zodiacal.filled()
+    return {"rows": longitudes.tolist(), "columns": latitudes.tolist(), "values": digits(logarithm, STEP, 1)}
+
+
+def table() -> dict[str, Any]:
+    """Everything."""
+    hues = starlight_of(np.zeros(HUE.size), HUE) @ xyz_weights(BANDS)
+    return {
+        "turbidities": np.round(TURBIDITIES, 6).tolist(), "rings": RINGS, "levels": LEVELS.round(4).tolist(),
+        "true": TRUE.round(3).tolist(), "lift": lift(), "obliquity": OBLIQUITY,
+        "seen": {"points": POINTS_SEEN / deg, "glows": GLOWS_SEEN / deg},
+        "zero": float(illuminance_of(0.0)), "hues": HUE.round(2).tolist(),
+        "xyz": (hues / hues[:, 1:2]).round(5).tolist(),
+        "stars": stars(), "left": starlight_left(), "airglow": airglow(),
+        "milkyWay": milky_way() | {"air": glow(starlight.Starlight)},
+        "dust": dust() | {"air": glow(zodiacal.ZodiacalLight)},
+        "planets": planets(), "farVenus": list(FAR_VENUS), "farMars": list(FAR_MARS), "pole": POLE_OF_SATURN.tolist(),
+    }  # fmt: skip
+
+
+if __name__ == "__main__":
+    PATH.write_text(json.dumps(table(), separators=(",", ":")) + "\n", "utf-8")
+    sys.exit(0)
