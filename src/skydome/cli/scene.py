@@ -199,7 +199,8 @@ def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky
     else:
         ground = USUAL["albedo"] if options.albedo is None else options.albedo
         depth = sd.OvercastSky.optical_depth if options.optical_depth is None else options.optical_depth
-        whole = sd.OvercastSky(direction, depth, ground)
+        far = 1.0 if moment is None or moment.distance is None else moment.distance
+        whole = sd.OvercastSky(direction, depth, ground, sun_scale=far**-2)
         own = float(whole.luminance(sd.ZENITH))
         as_usual = options.optical_depth is None and own > 0
         level = level if as_usual else own

@@ -25,7 +25,8 @@ export function physical(c: Conditions): Sky {
   const notes = c.sun[2] < GLOWS_SEEN ? [night ? NIGHT_NOTE : NO_STARS] : [];
   const sky = { ...base("physical", c, fields, c.albedo, notes), points: night?.points ?? null };
   const day = c.sun[2] > END || moonlit !== null || night !== null;
-  return moonlit ? { ...sky, day, disc: discOf(moon!.toward, 3, moon!.radius, moonlit.lux) } : { ...withDisc(sky, c, 3, ofSun.lux), day };
+  const disc = moonlit ? discOf(moonlit.fields.seen, 3, moon!.radius, moonlit.lux) : discOf(fields.seen, 3, c.radius, ofSun.lux);
+  return { ...sky, day, disc };
 }
 
 /** The physical sky by day with its share of an even layer of cloud. */
