@@ -1,8 +1,8 @@
 """Stars, planets and glows of the night for the explorer's page, data/night.json: `python scripts/export_night.py`.
 
 Stars are those of the extra `night`, places of 2030; planets are Kepler's orbits (`fit_planets.py`). Of the usual air
-at some turbidities it has logarithms: of what stays of starlight, of the light that glows of a brightness bring, and
-airglow's own, each X, Y and Z over rings that crowd at the horizon.
+at some turbidities it has logarithms: of what stays of starlight and of glows, and airglow's own, each X, Y and Z over
+rings that crowd at the horizon; and what the air scatters of glows, by harmonics of the azimuth (`GlowScattering`).
 """
 
 import json
@@ -23,17 +23,18 @@ from skydome.skies.night.airglow import Airglow
 from skydome.skies.night.celestial import UNIT, Celestial
 from skydome.skies.night.hour import GLOWS_SEEN, POINTS_SEEN
 from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of
+from skydome.skies.night.scattering import TURNS, VIEWS, GlowScattering, at_bands, sources
 from skydome.skies.night.stars import FAINTEST
-from skydome.skies.night.through_air import Air, of_celestial
+from skydome.skies.night.through_air import Air
 from skydome.stars.catalogue import EPOCH, hipparcos
 from skydome.stars.planets import COLOURS, FAR_MARS, FAR_VENUS, NUMBERS, POLE_OF_SATURN, POLYNOMIALS
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "night.json"
-TURBIDITIES = (1.0, LEAST_HAZE, 3.0, 6.0, 10.0)
+TURBIDITIES = (1.0, LEAST_HAZE, 3.0, 6.0, 9.5)
 RINGS = 65
 """Heights, even in the cube root."""
-LEVELS = 10.0 ** np.array([np.log10(77.0), 2.244, 2.255, 3.7])
-"""Brightnesses where Noll et al.'s shares bend, 1e-8 W m-2 um-1 sr-1."""
+MODES, EVERY = 8, 3
+"""Harmonics of the azimuth, and of `VIEWS` every so many, of the light that air scatters."""
 YEAR, HUE = 2030.0, np.arange(-0.4, 2.01, 0.2)
 TRUE = np.concatenate([np.arange(-1.0, 2.0, 0.1), np.arange(2.0, 90.1, 2.0)])
 """Elevations without air, degrees, at which it is told where one sees it."""
@@ -56,13 +57,16 @@ def told(logarithms: np.ndarray) -> dict[str, Any]:
 
 
 def glow(kind: type[Celestial]) -> dict[str, Any]:
-    """Logarithm of XYZ for each unit of brightness, (turbidities, levels, rings, 3)."""
-    weights = kind(turn=np.eye(3)).spectrum(kind.bands)[:, None] * xyz_weights(kind.bands)
-    rows = [
-        [air.dimmed(sines(), kind.bands, *of_celestial(np.asarray(level))) @ weights for level in LEVELS]
-        for air in airs()
-    ]
-    return told(np.log(np.asarray(rows) * UNIT))
+    """X, Y and Z of a unit: logarithms of what stays (turbidities, rings, 3), harmonics of what comes from beside,
+    (3, turbidities, views, sources, modes).
+    """
+    bands = kind.bands
+    weights = UNIT * kind(turn=np.eye(3)).spectrum(bands)[:, None] * xyz_weights(bands)
+    straight = [air.transmittance(sines(), bands) @ weights for air in airs()]
+    spread = [GlowScattering.of(air.atmosphere).harmonics[::EVERY, :, :MODES] for air in airs()]
+    beside = np.moveaxis([at_bands(one, bands) @ weights for one in spread], -1, 0)
+    steps = np.abs(beside).max(axis=(1, 2, 3, 4)) / 4000
+    return {"left": told(np.log(straight)), "beside": digits(beside, steps, 2)}
 
 
 def airglow() -> dict[str, Any]:
@@ -131,7 +135,8 @@ def table() -> dict[str, Any]:
     """Everything."""
     hues = starlight_of(np.zeros(HUE.size), HUE) @ xyz_weights(BANDS)
     return {
-        "turbidities": np.round(TURBIDITIES, 6).tolist(), "rings": RINGS, "levels": LEVELS.round(4).tolist(),
+        "turbidities": np.round(TURBIDITIES, 6).tolist(), "rings": RINGS, "turns": TURNS,
+        "views": VIEWS[::EVERY].round(8).tolist(), "sources": sources()[0].round(8).tolist(),
         "true": TRUE.round(3).tolist(), "lift": lift(), "obliquity": OBLIQUITY,
         "seen": {"points": POINTS_SEEN / deg, "glows": GLOWS_SEEN / deg},
         "zero": float(illuminance_of(0.0)), "hues": HUE.round(2).tolist(),

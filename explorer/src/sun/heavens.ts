@@ -29,6 +29,9 @@ function precession(t: number): Matrix3 {
   return product(rotation(2, -node - turn), product(rotation(0, tilt), rotation(2, node)));
 }
 
+/** The turn after which longitudes count from `along`. */
+export const aboutPole = (along: number): Matrix3 => rotation(2, along);
+
 export interface Heavens {
   /** Rotations to east, north and up: from the stars' axes of J2000, from the ecliptic of J2000, from that of date. */
   stars: Matrix3;

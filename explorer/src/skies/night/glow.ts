@@ -2,16 +2,14 @@
 
 import table from "../../data/night.json";
 import { numbersOf, type Digits } from "../../core/digits";
+import { cubicAt } from "../../core/cubic";
 import { azimuth, DEG, direction, elevation, limited, wrapped, type Matrix3, type Vec3 } from "../../core/vector";
-import { product, transposed, turned, type Heavens } from "../../sun/heavens";
+import { aboutPole, product, transposed, turned, type Heavens } from "../../sun/heavens";
 import { atTurbidity, between, RINGS, ringOf } from "./air";
 
 /** Azimuths of the grid, the first again at the end. */
 export const COLUMNS = 97;
 export { RINGS };
-
-const LOGS = table.levels.map(Math.log);
-const count = table.levels.length;
 
 interface Map {
   rows: number[];
@@ -44,36 +42,76 @@ function dust(v: Vec3): number {
   return Math.exp(valueAt(table.dust, Math.abs(longitude), Math.abs(latitude)));
 }
 
-/** Add what a brightness is seen as at a ring: logarithms (3, levels, rings) between whose levels are straight lines. */
-function add(grid: Float32Array, at: number, air: Float32Array, ring: number, brightness: number): void {
-  const level = Math.log(Math.max(brightness, table.levels[0]));
-  const above = LOGS.findIndex((log) => log > level);
-  const first = limited((above < 0 ? count : above) - 1, 0, count - 2);
-  const share = (level - LOGS[first]) / (LOGS[first + 1] - LOGS[first]);
-  for (let c = 0; c < 3; c++) {
-    const low = (c * count + first) * RINGS + ring;
-    grid[at + c] += brightness * Math.exp(air[low] * (1 - share) + air[low + RINGS] * share);
+interface Air {
+  /** Logarithms of what stays of a unit, (3, turbidities, rings). */
+  left: Digits;
+  /** Harmonics of what comes from beside, (3, turbidities, views, sources, modes). */
+  beside: Digits;
+}
+
+/** Add a glow of some brightness by direction to the dome: what stays of it, and what the air scatters. */
+function add(grid: Float32Array, { left, beside }: Air, turbidity: number, brightness: (toward: Vec3) => number): void {
+  const [stays, spread] = [atTurbidity(left, turbidity), scattered(atTurbidity(beside, turbidity), beside.shape[4], brightness)];
+  for (let ring = 0; ring < RINGS; ring++) {
+    const height = (ring / (RINGS - 1)) ** 3 * (Math.PI / 2);
+    const [first, weights] = cubicAt(PLACES, Math.sqrt(Math.sin(height)));
+    for (let column = 0; column < COLUMNS; column++) {
+      const at = (ring * COLUMNS + column) * 3;
+      const level = brightness(direction((column / (COLUMNS - 1)) * 2 * Math.PI, height));
+      for (let c = 0; c < 3; c++) {
+        let near = 0;
+        weights.forEach((weight, k) => (near += weight * spread[((first + k) * COLUMNS + column) * 3 + c]));
+        grid[at + c] += level * Math.exp(stays[c * RINGS + ring]) + near;
+      }
+    }
   }
+}
+
+/** Root of the sine of the views' elevations. */
+const PLACES = table.views.map(Math.sqrt);
+
+/** What the air scatters toward the views (views, columns, 3), of harmonics (3, views, sources, modes). */
+function scattered(harmonics: Float32Array, modes: number, brightness: (toward: Vec3) => number): Float32Array {
+  const { sources, turns, views } = table;
+  const waves = sources.map((sine) => waveOf(Array.from({ length: turns }, (_, a) => brightness(direction((a / turns) * 2 * Math.PI, Math.asin(sine)))), modes));
+  const found = new Float32Array(views.length * COLUMNS * 3);
+  for (let c = 0; c < 3; c++) {
+    for (let view = 0; view < views.length; view++) {
+      const [real, imaginary] = [new Float64Array(modes), new Float64Array(modes)];
+      waves.forEach(([cosine, sine], s) => {
+        const at = ((c * views.length + view) * sources.length + s) * modes;
+        for (let m = 0; m < modes; m++) {
+          real[m] += harmonics[at + m] * cosine[m];
+          imaginary[m] += harmonics[at + m] * sine[m];
+        }
+      });
+      for (let column = 0; column < COLUMNS; column++) {
+        const turn = (column / (COLUMNS - 1)) * 2 * Math.PI;
+        let total = real[0];
+        for (let m = 1; m < modes; m++) total += 2 * (real[m] * Math.cos(m * turn) + imaginary[m] * Math.sin(m * turn));
+        found[(view * COLUMNS + column) * 3 + c] = total / turns;
+      }
+    }
+  }
+  return found;
+}
+
+/** Sums of values at even turns times cosine and sine. */
+function waveOf(values: number[], modes: number): [number[], number[]] {
+  const sums = (wave: (x: number) => number): number[] =>
+    Array.from({ length: modes }, (_, m) => values.reduce((total, value, a) => total + value * wave((2 * Math.PI * m * a) / values.length), 0));
+  return [sums(Math.cos), sums(Math.sin)];
 }
 
 /** XYZ, cd m-2, over the dome, (rings, columns, 3), in the usual air of a turbidity. */
 export function glowOver(heavens: Heavens, turbidity: number): Float32Array {
   const grid = new Float32Array(RINGS * COLUMNS * 3);
-  const back = transposed(heavens.stars);
-  const toGalaxy = product(table.milkyWay.axes as unknown as Matrix3, back);
-  const fromSun = product([[Math.cos(heavens.sun[0]), Math.sin(heavens.sun[0]), 0], [-Math.sin(heavens.sun[0]), Math.cos(heavens.sun[0]), 0], [0, 0, 1]], transposed(heavens.ofDate));
   const own = atTurbidity(table.airglow, turbidity);
-  const [stars, dusty] = [atTurbidity(table.milkyWay.air, turbidity), atTurbidity(table.dust.air, turbidity)];
-  for (let ring = 0; ring < RINGS; ring++) {
-    const height = (ring / (RINGS - 1)) ** 3 * (Math.PI / 2);
-    for (let column = 0; column < COLUMNS; column++) {
-      const toward = direction((column / (COLUMNS - 1)) * 2 * Math.PI, height);
-      const at = (ring * COLUMNS + column) * 3;
-      for (let c = 0; c < 3; c++) grid[at + c] = Math.exp(own[c * RINGS + ring]);
-      add(grid, at, stars, ring, milkyWay(turned(toGalaxy, toward)));
-      add(grid, at, dusty, ring, dust(turned(fromSun, toward)));
-    }
-  }
+  for (let at = 0; at < grid.length; at++) grid[at] = Math.exp(own[(at % 3) * RINGS + Math.floor(at / (3 * COLUMNS))]);
+  const toGalaxy = product(table.milkyWay.axes as unknown as Matrix3, transposed(heavens.stars));
+  const fromSun = product(aboutPole(heavens.sun[0]), transposed(heavens.ofDate));
+  add(grid, table.milkyWay.air, turbidity, (toward) => milkyWay(turned(toGalaxy, toward)));
+  add(grid, table.dust.air, turbidity, (toward) => dust(turned(fromSun, toward)));
   return grid;
 }
 
