@@ -18,7 +18,7 @@ from fit_planets import OBLIQUITY, orbit
 from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.catalogue import model_named
-from skydome.skies.night import starlight, zodiacal
+from skydome.skies.night import celestial, starlight, zodiacal
 from skydome.skies.night.airglow import Airglow
 from skydome.skies.night.celestial import UNIT, Celestial
 from skydome.skies.night.hour import GLOWS_SEEN, POINTS_SEEN
@@ -31,8 +31,11 @@ from skydome.stars.planets import COLOURS, FAR_MARS, FAR_VENUS, NUMBERS, POLE_OF
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "night.json"
 TURBIDITIES = (1.0, LEAST_HAZE, 3.0, 6.0, 9.5)
+GROUNDS = (0.0, 1.0)
 RINGS = 65
 """Heights, even in the cube root."""
+EVEN = 5.0
+"""Degrees between the nodes of maps of the heavens."""
 MODES, EVERY = 8, 3
 """Harmonics of the azimuth, and of `VIEWS` every so many, of the light that air scatters."""
 YEAR, HUE = 2030.0, np.arange(-0.4, 2.01, 0.2)
@@ -41,9 +44,9 @@ TRUE = np.concatenate([np.arange(-1.0, 2.0, 0.1), np.arange(2.0, 90.1, 2.0)])
 STEP = 1e-3
 
 
-def airs() -> list[Air]:
-    """The usual air at the turbidities."""
-    return [Air(model_named("physical").air({"turbidity": turbidity})) for turbidity in TURBIDITIES]
+def airs(albedo: float = 0.0) -> list[Air]:
+    """The usual air at the turbidities, over a ground."""
+    return [Air(model_named("physical").air({"turbidity": t, "albedo": albedo})) for t in TURBIDITIES]
 
 
 def sines() -> np.ndarray:
@@ -58,23 +61,28 @@ def told(logarithms: np.ndarray) -> dict[str, Any]:
 
 def glow(kind: type[Celestial]) -> dict[str, Any]:
     """X, Y and Z of a unit: logarithms of what stays (turbidities, rings, 3), harmonics of what comes from beside,
-    (3, turbidities, views, sources, modes).
+    (3, turbidities, grounds, views, sources, modes).
     """
     bands = kind.bands
     weights = UNIT * kind(turn=np.eye(3)).spectrum(bands)[:, None] * xyz_weights(bands)
     straight = [air.transmittance(sines(), bands) @ weights for air in airs()]
-    spread = [GlowScattering.of(air.atmosphere).harmonics[::EVERY, :, :MODES] for air in airs()]
-    beside = np.moveaxis([at_bands(one, bands) @ weights for one in spread], -1, 0)
-    steps = np.abs(beside).max(axis=(1, 2, 3, 4)) / 4000
-    return {"left": told(np.log(straight)), "beside": digits(beside, steps, 2)}
+    each = np.stack([[harmonics(air) for air in airs(albedo)] for albedo in GROUNDS], axis=1)
+    beside = np.moveaxis(at_bands(each, bands) @ weights, -1, 0)
+    steps = np.abs(beside).max(axis=(1, 2, 3, 4, 5)) / 4000
+    return {"left": told(np.log(straight)), "beside": digits(beside, steps, 3)}
+
+
+def harmonics(air: Air) -> np.ndarray:
+    """What an air scatters, (views, sources, modes, W)."""
+    return GlowScattering.of(air.atmosphere).harmonics[::EVERY, :, :MODES]
 
 
 def airglow() -> dict[str, Any]:
-    """Logarithm of XYZ of airglow, (turbidities, rings, 3)."""
+    """Logarithm of XYZ of airglow, (turbidities, grounds, rings, 3)."""
     sine, bands = sines(), Airglow.bands
     views = np.stack([0 * sine, np.sqrt(1 - sine * sine), sine], axis=-1)
-    rows = [Airglow(air.atmosphere).glow(views, bands) @ xyz_weights(bands) for air in airs()]
-    return told(np.log(np.asarray(rows)))
+    glows = [[Airglow(air.atmosphere).glow(views, bands) for air in airs(albedo)] for albedo in GROUNDS]
+    return told(np.log(np.stack(glows, axis=1) @ xyz_weights(bands)))
 
 
 def stars() -> dict[str, Any]:
@@ -112,30 +120,30 @@ def planets() -> dict[str, Any]:
     }
 
 
+def evenly(rows: np.ndarray, columns: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """A table between whose nodes are straight lines, at every `EVEN` degrees, which its nodes are multiples of."""
+    every = [np.arange(axis[0], axis[-1] + 1, EVEN) for axis in (rows, columns)]
+    return np.asarray(celestial.bilinear(rows, columns, values, every[0][:, None], every[1][None, :]))
+
+
 def milky_way() -> dict[str, Any]:
     """Brightness at 440 nm, 1e-8 W m-2 um-1 sr-1, by galactic latitude and longitude; the axes from J2000."""
     latitudes, longitudes, values = starlight.round_the_circle()
     one = starlight.Starlight(turn=np.eye(3)).brightness(np.array([0.0, 0.0, 1.0])) / values[-1, 0] / UNIT
-    whole = digits(values * one, 0.1, 1)
-    return {
-        "rows": latitudes.tolist(),
-        "columns": longitudes.tolist(),
-        "values": whole,
-        "axes": starlight.GALACTIC.tolist(),
-    }
+    return {"values": digits(evenly(latitudes, longitudes, values * one), 0.1, 1), "axes": starlight.GALACTIC.tolist()}
 
 
 def dust() -> dict[str, Any]:
-    """Logarithm of the zodiacal light at 500 nm, 1e-8 W m-2 um-1 sr-1, by ecliptic longitude from the sun, latitude."""
+    """Logarithm of the zodiacal light at 500 nm, 1e-8 W m-2 um-1 sr-1, by ecliptic latitude, longitude from the sun."""
     longitudes, latitudes, logarithm = zodiacal.filled()
-    return {"rows": longitudes.tolist(), "columns": latitudes.tolist(), "values": digits(logarithm, STEP, 1)}
+    return {"values": digits(evenly(longitudes, latitudes, logarithm).T, STEP, 1)}
 
 
 def table() -> dict[str, Any]:
     """Everything."""
     hues = starlight_of(np.zeros(HUE.size), HUE) @ xyz_weights(BANDS)
     return {
-        "turbidities": np.round(TURBIDITIES, 6).tolist(), "rings": RINGS, "turns": TURNS,
+        "turbidities": np.round(TURBIDITIES, 6).tolist(), "rings": RINGS, "turns": TURNS, "even": EVEN,
         "views": VIEWS[::EVERY].round(8).tolist(), "sources": sources()[0].round(8).tolist(),
         "true": TRUE.round(3).tolist(), "lift": lift(), "obliquity": OBLIQUITY,
         "seen": {"points": POINTS_SEEN / deg, "glows": GLOWS_SEEN / deg},

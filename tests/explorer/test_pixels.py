@@ -148,7 +148,7 @@ def test_a_night_is_the_librarys(opened):
     night = sd.sky_at(sd.Place(-35.0, 149.0), "2026-06-15T14:00Z", air)
     wanted = night.without("planets", "stars").xyz(UPPER)
     ratio = page.xyz(32)[:16] / wanted
-    assert np.quantile(np.abs(ratio - 1), 0.95) < 0.02
+    assert np.quantile(np.abs(ratio - 1), 0.95) < 0.03
     assert np.abs(ratio - 1).max() < 0.1
     points = page.ask(
         "[explorer.scene.skies[0].points.toward, explorer.scene.skies[0].points.light].map((x) => Array.from(x))"

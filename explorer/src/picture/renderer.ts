@@ -179,7 +179,7 @@ export class Renderer {
     gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
     gl.uniform1i(this.at(program, "layered"), Number(layer !== null));
     gl.uniform1i(this.at(program, "glowing"), Number(fields.glow !== null));
-    const [lobe] = fields.laws[1].lobes;
+    const [lobe] = (moonlit ?? fields).laws[1].lobes;
     gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);
     gl.uniform3f(this.at(program, "moon_seen"), ...(moonlit ?? fields).seen);

@@ -27,6 +27,19 @@ export function atTurbidity(packed: Digits, turbidity: number): Float32Array {
   return found;
 }
 
+/** Of light that a white ground sends up, how much the air sends back, about. */
+const MIRROR = 0.15;
+
+/** Values (channels, rest) over a ground from those (channels, black and white, rest). */
+export function overGround(both: Float32Array, channels: number, albedo: number): Float32Array {
+  const size = both.length / channels / 2;
+  const share = (albedo * (1 - MIRROR)) / (1 - albedo * MIRROR);
+  return Float32Array.from({ length: channels * size }, (_, k) => {
+    const at = Math.floor(k / size) * 2 * size + (k % size);
+    return both[at] + (both[at + size] - both[at]) * share;
+  });
+}
+
 /** Place among the rings of an elevation, radians. */
 export function ringOf(elevation: number): number {
   return Math.cbrt(limited(elevation / (Math.PI / 2), 0, 1)) * (RINGS - 1);

@@ -25,13 +25,13 @@ export interface Night {
 
 let last: { key: string; night: Night } | null = null;
 
-/** The lights of an hour in the usual air of a turbidity, the sun's elevation by its sine; those asked last are kept. */
-export function nightOf({ place, utc }: Hour, turbidity: number, sine: number): Night {
+/** The lights of an hour in the usual air of a turbidity over a ground, the sun's elevation by its sine; those asked last are kept. */
+export function nightOf({ place, utc }: Hour, turbidity: number, albedo: number, sine: number): Night {
   const dark = sine < GLOWS_SEEN;
-  const key = [place.latitude, place.longitude, utc, turbidity, dark].join();
+  const key = [place.latitude, place.longitude, utc, turbidity, albedo, dark].join();
   if (last?.key === key) return last.night;
   const heavens = heavensOver(place, utc, table.obliquity);
-  const night = { points: pointsOver(heavens, utc, turbidity), glow: dark ? glowOver(heavens, turbidity) : null };
+  const night = { points: pointsOver(heavens, utc, turbidity), glow: dark ? glowOver(heavens, turbidity, albedo) : null };
   last = { key, night };
   return night;
 }

@@ -31,6 +31,15 @@ export interface Physical {
   lux: number;
 }
 
+/** No light. */
+export const DARK: Physical = {
+  fields: {
+    kind: "fields", clear: false, grid: new Float32Array(ROWS * TURNS * 12), seen: [0, 1, 0], leastCosine: LEAST_COSINE, laws: LAWS,
+    moonlit: null, layer: null, glow: null,
+  },
+  lux: 0,
+};
+
 /** Fields (fields, shape) of a condition from a compressed table whose rows hold so many fields. */
 function unpackedFields(held: Compressed, rows: Mixed, fields: number): Float32Array {
   const [size, coefficients, basis] = [numbersOf(held.size), numbersOf(held.coefficients), numbersOf(held.basis)];
