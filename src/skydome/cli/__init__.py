@@ -8,7 +8,6 @@
 - scene             The light that the options ask for: sky, sun's disc, and what was decided for the user
 - numbers_of_light  The numbers of a sky, luminance, illuminance and colour temperature
 - sums_of_planes    The numbers of a year on planes, sums of each plane, as JSON and as rows for people
-- weather_words     What words say of a weather file: how far its light is moved, a table of sites
 - map_file          The file of a map, what the options ask of it, its writing, and what is said of it
 - map_order         What one map is to be, with the scene beside it; its making, and what is said of it
 - spectral_map      A map of spectra: what it may be asked, its making, and what is said of it

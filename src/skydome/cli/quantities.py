@@ -34,3 +34,17 @@ def relative_error(text: str) -> float:
     if not 1e-6 <= value <= 0.5:
         raise ValueError(f"--until must be an error in (0, 50%] such as 1% or 0.01, got {text!r}")
     return value
+
+
+def minutes(text: str | None) -> float | str | None:
+    """The shift that --shift asks for; ValueError for what is neither auto nor minutes.
+
+    >>> minutes("auto"), minutes("-30"), minutes(None)
+    ('auto', -30.0, None)
+    """
+    if text is None or text == "auto":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"--shift must be auto or minutes such as 30, got {text!r}") from None

@@ -9,7 +9,7 @@ from typer import Argument, Option
 from skydome.cli.doors import progress, refuse_idle, require_output
 from skydome.cli.options import AsJson, numbers
 from skydome.cli.printing import show
-from skydome.cli.weather_words import minutes
+from skydome.cli.quantities import minutes
 from skydome.ground.extras import required
 
 

@@ -8,10 +8,11 @@ from typing import Annotated, Any
 from typer import Option
 
 from skydome.cli.commands.planes_of_sites import many_sites
+from skydome.cli.commands.year import is_sites
 from skydome.cli.doors import progress, refuse_idle, require_output
 from skydome.cli.options import SkyOptions, numbers
+from skydome.cli.quantities import minutes
 from skydome.cli.sums_of_planes import facts_of
-from skydome.cli.weather_words import is_sites, minutes
 from skydome.ground.extras import required
 
 PANEL = "A year on planes, from a weather file"

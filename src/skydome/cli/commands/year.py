@@ -9,8 +9,8 @@ from typer import Argument, Option
 from skydome.cli.doors import STORE, progress, refuse_idle, require_output
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
+from skydome.cli.quantities import minutes
 from skydome.cli.spectral_map import steps
-from skydome.cli.weather_words import is_sites, minutes
 from skydome.ground.extras import required
 from skydome.ground.limits.sizes import MOST_WORKERS
 
@@ -131,6 +131,17 @@ def check_extras(output: Path | None, plot: Path | None) -> None:
         required(ENDINGS[output.suffix.lower()], "year", f"a year as {output.suffix}")
     if plot is not None:
         required("matplotlib", "plot", "a plot")
+
+
+def is_sites(path: Path) -> bool:
+    """True for a table of sites (.csv), False for a TMY3 or any other file."""
+    from skydome.ground.arguments import require_file
+
+    if path.suffix.lower() != ".csv":
+        return False
+    with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
+        cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
+    return "file" in cells and "name" in cells
 
 
 def single(
