@@ -7,8 +7,12 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.cli.commands.plot import marked
+from skydome.cli.night.film import film_frames
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
+from skydome.figures.skies import sky_figure
+from skydome.maps.showing.dome_axes import on_disc
 
 
 def test_sun_tells_moon_and_planets(call):
@@ -44,6 +48,44 @@ def test_an_hour_that_comes_twice_is_told(call):
     told = call(*asked, "2026-10-25T02:30").stderr
     assert "2026-10-25T02:30:00+02:00 is taken; the other is 2026-10-25T02:30:00+01:00" in told
     assert not any(call(*asked, time).stderr for time in ("2026-10-25T02:30+01:00", "2026-10-25T03:30"))
+
+
+def test_frames_follow_the_clock_through_a_change(call, tmp_path):
+    """Rome's clocks went from 2 to 3 on 29 March 2026 and from 3 to 2 on 25 October: days of 23 and 25 hours."""
+    for day, hours, change in (("2026-03-29", 23, 2), ("2026-10-25", 25, 3)):
+        frames = film_frames("45,8", day, "Europe/Rome", "1h", tmp_path, 16, None)
+        offsets = [time.utcoffset().total_seconds() / 3600 for time in frames.times]
+        before = 1.0 if hours == 23 else 2.0
+        assert offsets == [before] * change + [3.0 - before] * (hours - change)
+        orders = list(frames)
+        assert [order.options.time for order in orders] == [time.isoformat() for time in frames.times]
+        assert len({order.output for order in orders}) == hours
+    hourly = ("render", "--place", "45,8", "--zone", "Europe/Rome", "--time", "2026-10-25T01:30", "--until",
+              "2026-10-25T03:30", "--step", "1h", "--height", "8", "-o")  # fmt: skip
+    assert "such as %z where clocks are put back" in call(*hourly, tmp_path / "n_%H%M.exr").stderr
+    assert call(*hourly, tmp_path / "n_%H%M%z.exr").exit_code == 0
+    assert {"n_0230+0200.exr", "n_0230+0100.exr"} <= {path.name for path in tmp_path.iterdir()}
+
+
+def test_a_plot_of_a_night_has_its_stars_and_moon():
+    scene = scene_of(SkyOptions(place="45,8", time="2026-01-03T22:00Z"), any_hour=True)
+    figure = sky_figure(scene.sky, marked(scene))
+    sky, bar = figure.axes
+    assert sum(len(points.get_offsets()) for points in sky.collections) > 150
+    assert bar.get_yticklabels()[0].get_text().startswith("0.0")
+    moon = np.ravel(on_disc(scene.whole["moon"].sun))
+    marked_at = [line.get_xydata().ravel() for line in sky.lines if line.get_marker() == "o"]
+    np.testing.assert_allclose(marked_at, [moon], atol=1e-6)
+
+
+def test_a_night_under_an_overcast(facts, refused):
+    night = ("light", "--place", "45,8", "--time", "2026-01-03T22:00Z")
+    under = facts(*night, "--model", "overcast", "--cloud-depth", "20")
+    wanted = sd.sky_at(sd.Place(45.0, 8.0), "2026-01-03T22:00Z", clouds=20.0)
+    assert under["illuminance_lx"]["global"] == pytest.approx(float(sd.illuminance(wanted)), rel=0.05)  # no haze
+    assert under["zenith_luminance_cd_m2"] == pytest.approx(under["illuminance_lx"]["global"] * 9 / 7 / np.pi, rel=0.01)
+    assert "for a night under cloud: --model overcast" in refused(*night, "--clouds", "cumulus")
+    assert "must lie in [5, 10000], got 2" in refused(*night, "--model", "overcast", "--cloud-depth", "2")
 
 
 def test_the_lamp_of_a_night_is_the_moon(call, tmp_path):

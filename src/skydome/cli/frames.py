@@ -33,16 +33,17 @@ def frame_times(first: datetime, last: datetime, step: timedelta) -> list[dateti
 
     Steps are of elapsed time: they go through a change of the clocks as through any other hour.
     """
-    count = int((last - first) / step) + 1
-    if last < first:
+    start, end = first.astimezone(UTC), last.astimezone(UTC)
+    count = int((end - start) / step) + 1
+    if end < start:
         raise ValueError(f"--until must be at or after --time, got {first.isoformat()} to {last.isoformat()}")
     if count > MOST_FRAMES:
         raise ValueError(f"--step must give at most {MOST_FRAMES:,} frames, got {count:,}")
-    return [(first.astimezone(UTC) + k * step).astimezone(first.tzinfo) for k in range(count)]
+    return [(start + k * step).astimezone(first.tzinfo) for k in range(count)]
 
 
 def frame_name(pattern: Path, number: int, time: datetime) -> Path:
-    """The file of a frame: #### is its number, %Y%m%d_%H%M and the like its local time; else .0001 before the ending.
+    """The file of a frame: #### is its number, %Y%m%d_%H%M%z and the like its local time; else .0001 before the ending.
 
     >>> noon = datetime(2026, 6, 21, 12)
     >>> [frame_name(Path(name), 7, noon).name for name in ("day.exr", "sky_###.exr", "sky_%H%M.exr")]
@@ -81,7 +82,8 @@ class Frames:
         names = [frame.output for frame in frames]
         if len(set(names)) != len(names):
             raise ValueError(
-                f"frames of {order.output.name!r} would have the same names: more of the time must be in it"
+                f"frames of {order.output.name!r} would have the same names: more of the time must be in it, "
+                "such as %z where clocks are put back"
             )
         return frames
 

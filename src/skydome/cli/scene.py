@@ -7,7 +7,7 @@ from skydome.cli.clouds.scene import Clouded, with_clouds, without_clouds
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_light
 from skydome.cli.night.eclipse import under_eclipse
-from skydome.cli.night.whole_scene import shows_the_night, whole_light
+from skydome.cli.night.whole_scene import require_twilight, shows_the_night, whole_light
 from skydome.cli.options import SkyOptions, numbers
 
 if TYPE_CHECKING:
@@ -49,6 +49,8 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     if any_hour and asked.clouds is None and shows_the_night(model, options):
         light = whole_light(model, options, north)
         return Scene(model.name, light.sky, light.whole, None, light.moment, light.notes)
+    if asked.clouds is not None and shows_the_night(model, options):
+        require_twilight(moment_of(options))
     true = moment_for(model, options)
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.dome.integrals import discs_and_rest, points_of
 from skydome.ground.extras import required
 from skydome.ground.writing import appearing
 from skydome.maps.showing.dome_axes import draw_compass, draw_luminance, on_disc
 from skydome.skies.sky import Sky
+from skydome.skies.suns.point_lights import PointLights
 from skydome.sun.day import is_day
 
 if TYPE_CHECKING:
@@ -22,6 +24,9 @@ FORMATS = (".png", ".svg", ".pdf")
 DATELESS = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 """So that one figure is one file, whenever it is drawn."""
 
+FAINTEST = 4e-8
+"""Light of the faintest stars that are drawn, lx: magnitude 4.5."""
+
 SunPath = tuple[np.ndarray, np.ndarray, list[str]]
 """Directions along the day (N, 3), those at whole hours (K, 3), and the hours' labels."""
 
@@ -29,7 +34,8 @@ SunPath = tuple[np.ndarray, np.ndarray, list[str]]
 def sky_figure(sky: Sky, sun: ArrayLike | None = None, path: SunPath | None = None, title: str = "") -> "Figure":
     """A figure of the luminance of one sky, cd m-2 in log false colour, equidistant: zenith in the middle.
 
-    North is up and east at the left, as one sees the sky looking up. `sun` (3,) is marked, `path` drawn with its hours.
+    North is up and east at the left, as one sees the sky looking up. `sun` (3,), or the moon, is marked, `path` drawn
+    with its hours; stars and planets of the sky are dots, the larger the brighter.
 
     >>> import skydome as sd
     >>> figure = sky_figure(sd.Uniform(3000.0))
@@ -45,6 +51,8 @@ def sky_figure(sky: Sky, sun: ArrayLike | None = None, path: SunPath | None = No
     axes = figure.add_subplot()
     draw_luminance(axes, sky)
     draw_compass(axes)
+    for lights, _ in points_of(discs_and_rest(sky)[1]):
+        draw_points(axes, lights)
     if path is not None:
         draw_path(axes, *path)
     if sun is not None and is_day(sun):
@@ -52,6 +60,15 @@ def sky_figure(sky: Sky, sun: ArrayLike | None = None, path: SunPath | None = No
         axes.plot(x, y, "o", color="white", markeredgecolor="black", markersize=11, zorder=5)
     axes.set_title(title, fontsize=10)
     return figure
+
+
+def draw_points(axes: "Axes", lights: PointLights) -> None:
+    """Points of light down to `FAINTEST`, a magnitude a step in size."""
+    light = lights.carried[:, 1]
+    seen = light > FAINTEST
+    x, y = on_disc(np.asarray(lights.directions)[seen])
+    sizes = 1 + 2.5 * np.log10(light[seen] / FAINTEST)
+    axes.scatter(x, y, s=0.6 * sizes**1.5, color="white", linewidths=0, zorder=2)
 
 
 def draw_path(axes: "Axes", along: np.ndarray, hours: np.ndarray, labels: list[str]) -> None:

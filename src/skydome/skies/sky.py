@@ -35,7 +35,7 @@ class Sky(LabelledLight, Shown, ABC):
     shines_at_night: ClassVar[bool] = False  # whether its light is its own, whatever the sun does
     bends_light: ClassVar[bool] = False  # whether it is told where the sun stands without its air
     knows_energy: ClassVar[bool] = False  # whether air and spectrum are known from 300 to 2500 nm
-    of_all_hours: ClassVar[bool] = False  # whether `sky_at` sums it with the night's lights, and dims it in eclipses
+    of_all_hours: ClassVar[bool] = False  # whether `sky_at` goes on where the sun has set: its air, or its cloud
 
     @abstractmethod
     def luminance(self, directions: Array) -> Array:

@@ -12,8 +12,9 @@ from skydome.cli.moment import Moment, place_text
 from skydome.cli.numbers_of_light import light_facts, notes_row
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
-from skydome.cli.scene import scene_of
+from skydome.cli.scene import Scene, scene_of
 from skydome.ground.extras import required
+from skydome.sun.day import is_day
 
 PATH_STEP = timedelta(minutes=5)
 
@@ -24,24 +25,35 @@ def plot(
     output: Annotated[Path, Option("--output", "-o", help="plot.png, plot.svg or plot.pdf.")],
     as_json: AsJson = False,
 ) -> None:
-    """Plot the sky's luminance looking up: north up, east at the left; with the sun's path of the day."""
+    """Plot the sky's luminance looking up, north up, east at the left; with the sun's path, or moon and stars."""
     from skydome.figures.skies import FORMATS, save_figure, sky_figure
     from skydome.skies.validity import parameters_text
 
     require_output(output, "a plot's file", FORMATS)
     required("matplotlib", "plot", "a plot")
     with progress("plotting the sky"):
-        scene = scene_of(options)
+        scene = scene_of(options, any_hour=True)
         moment = scene.moment
-        path = None if moment is None else day_path(moment)
+        path = None if moment is None or not is_day(moment.direction) else day_path(moment)
         lines = wrap(parameters_text(scene.sky.parameters()), 90)
         if moment is not None:
             lines.append(caption(moment))
-        figure = sky_figure(scene.sky, None if moment is None else moment.direction, path, "\n".join(lines))
+        figure = sky_figure(scene.sky, marked(scene), path, "\n".join(lines))
         save_figure(figure, output)
         facts = light_facts(scene) | {"file": str(output), "bytes": output.stat().st_size}
     rows = {"file": str(output), "plot": "looking up: north up, east at the left"}
     show(facts, rows | notes_row(facts["notes"]), as_json)
+
+
+def marked(scene: Scene) -> Any:
+    """Where the sun stands, or the moon when the sun has set; None where neither is known or up."""
+    from skydome.dome.integrals import discs_and_rest
+
+    moment = scene.moment
+    if moment is None or is_day(moment.direction):
+        return None if moment is None else moment.direction
+    discs, _ = discs_and_rest(scene.whole)
+    return discs[-1][0].sun if discs else None
 
 
 def caption(moment: Moment) -> str:

@@ -1,7 +1,7 @@
 """An eclipse of the sun at the place and time of the options: the physical sky is dimmed, of others it is said."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from skydome.cli.moment import Moment
@@ -37,10 +37,10 @@ def under_eclipse(sky: "Sky", moment: "Moment | None") -> "tuple[Sky, list[str]]
     eclipse = eclipse_of(moment)
     if eclipse is None:
         return sky, []
+    from skydome.skies.all_air.sky import PhysicalSky
     from skydome.skies.night.eclipse import darkened
 
     covered = f"eclipse: the moon covers {float(eclipse.obscuration):.1%} of the sun"
-    if sky.of_all_hours:
-        lit: Any = sky
-        return replace(lit, atmosphere=darkened(lit.atmosphere, eclipse)), [f"{covered}; sky and disc are dimmed"]
+    if isinstance(sky, PhysicalSky):
+        return replace(sky, atmosphere=darkened(sky.atmosphere, eclipse)), [f"{covered}; sky and disc are dimmed"]
     return sky, [f"{covered}; {type(sky).__name__} does not dim: --model physical does, and sd.sky_at"]

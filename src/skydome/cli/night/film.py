@@ -24,7 +24,7 @@ def film_frames(
     last = aware_time(after.date().isoformat() + "T00:00", zone or "UTC") - timedelta(microseconds=1)
     if duration(step) > timedelta(days=1):
         raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
-    options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat())
+    options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat(), zone=zone or "UTC")
     kind = "exr" if exposure is None else "png"
     file = FileOptions(exposure=exposure)
     order = MapOrder(options, file, folder / FRAMES[kind], height)

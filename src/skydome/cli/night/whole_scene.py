@@ -1,5 +1,6 @@
 """The light of a place at any hour: what the commands show when the sun has set."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from skydome.cli.models import build
@@ -8,6 +9,8 @@ from skydome.cli.night.eclipse import is_total
 from skydome.cli.options import SkyOptions
 
 if TYPE_CHECKING:
+    from skydome.air.atmosphere import Atmosphere
+    from skydome.air.clouds.cloud import Cloud
     from skydome.skies.model import Model
     from skydome.skies.night.sky_at import WholeSky
 
@@ -33,6 +36,15 @@ def shows_the_night(model: "Model", options: SkyOptions) -> bool:
     return float(moment.direction[2]) < 0 or is_total(moment)
 
 
+def require_twilight(moment: Moment) -> None:
+    """ValueError for a field of cloud in a night, which the sun lights no more."""
+    if moment.elevation < -18:
+        raise ValueError(
+            f"--clouds need the sun, which lights them, above -18 degrees, got {moment.elevation:.2f}; "
+            "for a night under cloud: --model overcast --cloud-depth 20"
+        )
+
+
 def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight:
     """Every light of that hour; ValueError for options that the night has no use for."""
     import skydome as sd
@@ -42,12 +54,23 @@ def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight
             raise ValueError(f"{option} needs the sun above the horizon, got a night, twilight or total eclipse")
     moment = moment_of(options)
     sky, notes = build(model, moment, options)
-    whole = sd.sky_at(place_of(moment), moment.time, sky.atmosphere)  # type: ignore[arg-type,attr-defined]
+    air, cloud = air_and_cloud(sky)
+    whole = sd.sky_at(place_of(moment), moment.time, air, clouds=cloud)  # type: ignore[arg-type]
     whole = whole.turned(north * sd.deg) if north else whole
     said = [note for note in notes if not note.startswith("sun:")]
-    discs = [name for name in ("sun", "moon") if name in whole.names]
+    discs = [name for name in ("sun", "moon") if name in whole.names and cloud is None]
     shown = whole.without(*discs) if len(whole.names) > len(discs) else whole
     return WholeLight(whole.without("sun") if options.no_sun else whole, shown, moment, (*said, *whole.notes))
+
+
+def air_and_cloud(sky: Any) -> "tuple[Atmosphere, Cloud | None]":
+    """The air of the physical sky or of an overcast one, and the cloud of the latter apart."""
+    import skydome as sd
+
+    if not isinstance(sky, sd.OvercastSky):
+        return sky.atmosphere, None
+    clear = tuple(part for part in sky.atmosphere.constituents if part is not sky.cloud)
+    return replace(sky.atmosphere, constituents=clear, sun_scale=1.0, gases=sd.Gases()), sky.cloud
 
 
 def place_of(moment: Moment) -> Any:

@@ -35,7 +35,7 @@ def draw_luminance(axes: "Axes", sky: Any) -> None:
         shown, norm=LogNorm(low, high) if low < high else Normalize(), cmap="turbo", extent=(-1, 1, -1, 1), zorder=1
     )
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.8, label="luminance, cd m⁻²")
-    bar.ax.yaxis.set_major_formatter("{x:,.0f}")
+    bar.ax.yaxis.set_major_formatter("{x:,.0f}" if high >= 10 else "{x:.2g}")
     bar.set_ticks(ticks(low, high))
     bar.minorticks_off()
 

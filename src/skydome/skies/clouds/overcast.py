@@ -77,6 +77,7 @@ class OvercastSky(SunlitSky, SpectralSky):
         "sun_scale": Atmosphere.bounds["sun_scale"],
     }
     kinds: ClassVar = Cloud.kinds
+    of_all_hours: ClassVar[bool] = True
     source: ClassVar[str] = "a network taught by discrete ordinates; single scattering by the cloud in closed form"
 
     def __post_init__(self) -> None:
