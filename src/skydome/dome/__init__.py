@@ -9,6 +9,7 @@
 - sky_rows       Rows of an equirectangular map of one sky, each row's factors once
 - network_rows   Rows of an equirectangular map of one neural sky, what a row shares goes into the biases
 - held_rows      Rows of an equirectangular map of a sky held in a table
+- dome_rows     The same of smooth skies on a grid of the dome, such as the glows of a night
 - integrals      Integrals of the dome: what light falls on a plane
 - energy/        Broadband irradiance, the UV index, photons for plants
 - patches        The sky cut into patches, Tregenza's 145, Reinhart's finer ones, and patches of equal area

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from skydome.dome.sources import Source, source_of
+from skydome.dome.sources import Source, sources_of
 from skydome.light.colour import RGBSpace
 from skydome.maps.projections import Equirectangular, Projection
 from skydome.skies.sky import Sky
@@ -29,7 +29,7 @@ def paint_rows(
     """
     single = pixels.dtype == np.float32 and pixels.flags.c_contiguous
     texels = int(np.prod(projection.shape(height)))
-    sources = [source_of(sky, space, texels if single else 0) for sky in skies]
+    sources = sources_of(skies, space, texels if single else 0)
     if isinstance(projection, Equirectangular) and sources and all(source.has_rows for source in sources):
         paint_level_rows(pixels, sources, ground, projection, height, range(*rows.indices(height)))
         return

@@ -1,11 +1,13 @@
 """Skies ready to be painted: each kind knows its rows of an equirectangular map, or its light toward any direction."""
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.dome.dome_rows import paint_dome
 from skydome.dome.held_rows import held_kernel, paint_held
 from skydome.dome.integrals import colourless
 from skydome.dome.network_rows import NetworkLight, network_kernel, paint_network, rgb_network
@@ -16,6 +18,7 @@ from skydome.maps.equirectangular import Equirectangular
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.formula.fast import Light, chosen, many_skies
 from skydome.skies.neural.fast import light_by_kernel, light_by_numpy
+from skydome.skies.night.held_dome import HeldDome
 from skydome.skies.physical.held import HeldSky
 from skydome.skies.sky import Sky
 
@@ -105,6 +108,33 @@ class HeldSource(AnySource):
         paint_held(self.kernel, self.held.rows, self.held.sun, matrix, projection, height, rows, out)
 
 
+@dataclass(frozen=True, eq=False)
+class DomeSource(AnySource):
+    """A smooth sky on a grid of the dome, `colours` (rings, columns, 3) in the space; several are one."""
+
+    colours: np.ndarray
+    has_rows: ClassVar[bool] = True
+
+    def paint(self, projection: Equirectangular, height: int, rows: range, out: np.ndarray) -> None:
+        """Each row's ring once."""
+        paint_dome(self.colours, projection, height, rows, out)
+
+    def toward(self, directions: np.ndarray) -> np.ndarray:
+        """Between the grid's places."""
+        assert isinstance(self.sky, ColourSky)
+        return np.asarray(HeldDome(self.sky, self.colours).xyz(directions))
+
+
+def sources_of(skies: Sequence[Sky], space: RGBSpace, texels: int) -> list[Source]:
+    """The skies ready to be painted, those on grids of the dome as one."""
+    sources = [source_of(sky, space, texels) for sky in skies]
+    domes = [source for source in sources if isinstance(source, DomeSource)]
+    if len(domes) < 2:
+        return sources
+    whole = replace(domes[0], colours=np.sum([source.colours for source in domes], axis=0))
+    return [*(source for source in sources if not isinstance(source, DomeSource)), whole]
+
+
 def source_of(sky: Sky, space: RGBSpace, texels: int) -> Source:
     """A sky ready to be painted; `texels` of the whole float32 map, 0 for float64, which takes no network's numbers."""
     sky = sky.for_maps
@@ -115,6 +145,8 @@ def source_of(sky: Sky, space: RGBSpace, texels: int) -> Source:
     network = rgb_network(sky, space) if texels else None
     if network is not None:
         return NetworkSource(sky, space, network_kernel(network, texels // 2), network)
+    if isinstance(inner, HeldDome):
+        return DomeSource(sky, space, None, inner.colours @ (np.asarray(space.from_xyz, np.float32).T * float(factor)))
     if isinstance(inner, HeldSky):
         return HeldSource(sky, space, held_kernel(texels), inner, float(as_numpy(factor)))
     return AnySource(sky, space, None)

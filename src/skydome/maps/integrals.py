@@ -61,6 +61,8 @@ def front_part(
     before, behind = np.min(corners, axis=0) > -1e2 * EDGE, np.max(corners, axis=0) < 1e2 * EDGE
     cut = ~(before | behind)
     result = np.where(before, projected, 0.0)
+    if not cut.any():
+        return result
     offsets = texel_centre(np.arange(8)) / 8
     places = [(down, right) for down in offsets for right in offsets]
     cosines = [projection.toward(row[cut] + down, column[cut] + right, height) @ normal for down, right in places]

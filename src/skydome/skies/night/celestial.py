@@ -15,7 +15,7 @@ from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import checked_wavelengths, xyz_weights
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.night.held_dome import HeldDome
+from skydome.skies.night.held_dome import NODES, HeldDome
 from skydome.skies.night.scattering import GlowScattering, at_bands, toward
 from skydome.skies.night.stars import instant
 from skydome.skies.night.through_air import Air, air_of
@@ -25,10 +25,6 @@ from skydome.sun.times import Times
 
 UNIT = 1e-11
 """1e-8 W m-2 um-1 sr-1, in which Leinert et al. and Noll et al. count, in W m-2 nm-1 sr-1."""
-
-
-NODES = (24, 48)
-"""Rings and columns on which the light on the horizontal is summed: within 0.5 % (tested)."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,8 @@ from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.night.celestial import NODES, NightGlow
+from skydome.skies.night.celestial import NightGlow
+from skydome.skies.night.held_dome import NODES
 from skydome.skies.suns.point_lights import PointLights
 
 OVERCAST = Range(5.0, 1e4)

@@ -109,9 +109,15 @@ class MoonDisc(BentSun):
         light = bright * (lit / max(lit.sum(), 1e-30))[:, None] + dark * (albedo / albedo.sum())[:, None]
         return seen, light * share[:, None]
 
+    @cached_property
+    def seen_light(self) -> Array:
+        """Its direct normal irradiance at `bands`, W m-2 nm-1, (W,)."""
+        return self.spots(16 * SPOTS, self.bands)[1].sum(axis=-2)
+
     def published_irradiance(self, wavelengths: Any) -> Array:
         """Direct normal irradiance of what is seen of the disc, W m-2 nm-1, shape (W,)."""
-        return self.spots(16 * SPOTS, wavelengths)[1].sum(axis=-2)
+        known = wavelengths is self.bands
+        return self.seen_light if known else self.spots(16 * SPOTS, wavelengths)[1].sum(axis=-2)
 
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction, W m-2 sr-1 nm-1, shape (..., W); 0 outside the disc."""
