@@ -94,6 +94,7 @@ HOME = {
     "skies.clouds.fields.shadows": "ShadowMap",
     "skies.series": "luminance_series",
     "dome.render": "render",
+    "dome.map_rows": "render_rows",
     "dome.render_pixels": "render_pixels",
     "dome.integrals": "illuminance irradiance",
     "dome.energy.broadband": "broadband Broadband",

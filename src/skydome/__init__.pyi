@@ -27,6 +27,7 @@ from skydome.dome.energy.measured_clouds import clouds_for as clouds_for
 from skydome.dome.harmonics import SphericalHarmonics as SphericalHarmonics
 from skydome.dome.integrals import illuminance as illuminance
 from skydome.dome.integrals import irradiance as irradiance
+from skydome.dome.map_rows import render_rows as render_rows
 from skydome.dome.patch_means import patch_means as patch_means
 from skydome.dome.render import render as render
 from skydome.dome.render_pixels import render_pixels as render_pixels

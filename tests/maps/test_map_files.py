@@ -378,15 +378,15 @@ def test_light_below_zero_is_told_or_refused(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "choices", "most"),
-    [("a.exr", {}, 0.2), ("a.exr", {"half": True}, 0.7), ("a.hdr", {}, 0.5), ("a.png", {}, 0.9)],
+    [("a.exr", {}, 0.5), ("a.exr", {"half": True}, 0.6), ("a.hdr", {}, 0.55), ("a.png", {}, 0.7)],
 )
 def test_a_map_is_written_some_rows_at_a_time(tmp_path, name, choices, most):
-    """In its own memory: half floats and bytes are a half and a quarter of it, the rest a sixteenth a few times."""
+    """Beside its own memory a few times an eighth of a map of that size, whatever a larger one's."""
     rows = np.random.default_rng(3).random((1024, 1, 3), dtype=np.float32) - np.float32(0.02)
     image = EnvironmentMap(np.ascontiguousarray(np.broadcast_to(100 * rows, (1024, 2048, 3))))
     tracemalloc.start()
-    image.save(tmp_path / name, target="native", in_place=True, **choices)
+    image.save(tmp_path / name, target="native", **choices)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < most * image.pixels.nbytes
-    assert name.endswith(".png") or image.pixels.min() >= 0  # the gamut's turn is taken in place
+    assert image.pixels.min() < 0  # the map itself stays as it is

@@ -17,7 +17,7 @@ from skydome.captures.captures import MASK, read_captures
 from skydome.captures.sky_mask import write_mask
 from skydome.ground.files.leftovers import sweep
 from skydome.ground.writing import appearing, is_hidden_part, require_place
-from skydome.maps.files import half_white
+from skydome.maps.by_rows.light_in_file import half_white
 from skydome.skies.neural.files import load_network, save_network
 from skydome.skies.neural.network import Network
 from skydome.sun.place import Place

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from typer import Option
 
 if TYPE_CHECKING:
-    from skydome.maps.environment_map import EnvironmentMap
+    from skydome.maps.by_rows.map_rows import MapRows
+    from skydome.maps.files import Written
     from skydome.maps.targets import Target
 
 Half = Annotated[bool, Option("--half/--float", help="16 bit or 32 bit floats in OpenEXR.")]
@@ -39,14 +40,6 @@ def exposure_value(factor: float) -> float:
     15.0
     """
     return -math.log2(1.2 * factor)
-
-
-def exposure_of(picture: "EnvironmentMap", given: float | None) -> float:
-    """The factor per cd m-2 of a picture: the one given, or that which its content asks for."""
-    from skydome.light.tone import auto_exposure
-
-    angles = picture.projection.solid_angles(picture.height)
-    return auto_exposure(picture.luminance(), angles) if given is None else given
 
 
 Exposure = Annotated[
@@ -89,11 +82,11 @@ class FileOptions:
         asked = dict(vars(self), white_luminance=self.white)
         return {name: value for name, value in asked.items() if name not in ("scale", "night_vision")}
 
-    def seen(self, picture: "EnvironmentMap") -> "EnvironmentMap":
+    def seen(self, picture: "MapRows") -> "MapRows":
         """The map as it is shown: by the eye at night where that is asked for."""
-        from skydome.eye.night_vision import night_vision
+        from skydome.eye.night_vision import seen_by_night
 
-        return night_vision(picture) if self.night_vision else picture
+        return seen_by_night(picture) if self.night_vision else picture
 
     @property
     def white(self) -> float | None:
@@ -121,18 +114,17 @@ class FileOptions:
         return target(self.target)
 
 
-def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options: FileOptions) -> dict[str, Any]:
-    """What is to be written: its size, where the renderer has north, its colours and unit, and notes on them.
-
-    To be asked before the file is written, which may take the picture's own memory; `with_bytes` when it is there.
-    """
+def file_facts(
+    path: Path, picture: "MapRows", layout: "Target", options: FileOptions, written: "Written"
+) -> dict[str, Any]:
+    """What was written: its size, where the renderer has north, its colours and unit, and notes on them."""
     from skydome.maps.files import file_white, space_in_file
 
-    rows, columns, _ = picture.pixels.shape
-    suffix, space = path.suffix.lower(), space_in_file(picture, path, layout)
+    rows, columns = picture.size
+    space, exposure = space_in_file(picture, path, layout), written.exposure
     return {
         "file": str(path),
-        "bytes": 0,
+        "bytes": path.stat().st_size,
         "height": rows,
         "width": columns,
         "target": layout.name,
@@ -140,24 +132,16 @@ def file_facts(path: Path, picture: "EnvironmentMap", layout: "Target", options:
         "space": space.name,
         "white_luminance_cd_m2": file_white(picture, path, layout, options.half, options.white),
         "exposure": options.exposure,
-        **({"exposure_ev": exposure_value(exposure_of(picture, options.exposure))} if suffix == ".png" else {}),
-        "notes": [] if suffix == ".png" else colour_notes(picture, space, options.gamut),
+        **({} if exposure is None else {"exposure_ev": exposure_value(exposure)}),
+        "notes": colour_notes(picture, space, options.gamut, written.outside) if exposure is None else [],
     }
 
 
-def with_bytes(facts: dict[str, Any]) -> dict[str, Any]:
-    """The facts of a file that is there now."""
-    return facts | {"bytes": Path(facts["file"]).stat().st_size}
-
-
-def colour_notes(picture: "EnvironmentMap", space: Any, gamut: str) -> list[str]:
-    """What became of the map's colours on their way into a file in that RGB space."""
-    from skydome.light.gamut import count_outside
-
+def colour_notes(picture: "MapRows", space: Any, gamut: str, count: int) -> list[str]:
+    """What became of the map's colours on their way into a file in that RGB space, `count` of them outside it."""
     notes = []
     if space != picture.space:
         notes.append(f"space: turned from {picture.space.name} into {space.name}, the one that the target reads")
-    count = count_outside(picture.pixels, picture.matrix_to(space))
     if count and gamut == "none":
         notes.append(f"gamut: {count:,} texels have negative parts, colours outside {space.name} (--gamut none)")
     elif count:

@@ -1,21 +1,27 @@
 """What one map is to be: its file, size, ground and north, the scene beside it; its making, and what is said of it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.map_file import FileOptions, file_facts, file_rows, with_bytes
+from skydome.cli.map_file import FileOptions, file_facts, file_rows
 from skydome.cli.numbers_of_light import amount, light_facts, light_rows, notes_row
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
 
 if TYPE_CHECKING:
     from skydome.cli.scene import Scene
+    from skydome.dome.map_rows import SkyRows
     from skydome.maps.environment_map import EnvironmentMap
+    from skydome.maps.files import Written
     from skydome.maps.targets import Target
 
 SPACES = {"srgb": "SRGB", "rec2020": "REC2020", "acescg": "ACESCG"}
 USUAL_TEXELS = 2 * 1024**2
+HELD_TEXELS = 1 << 24
+"""A map of at most so many is held in memory, 200 MB; of larger ones only some rows."""
 
 
 @dataclass(frozen=True)
@@ -74,21 +80,22 @@ class MapOrder:
         """The light."""
         return scene_of(self.options, self.north, any_hour=True)
 
-    def made(self) -> dict[str, Any]:
-        """Make it: the facts of the light and of the file."""
-        scene = self.scene()
-        picture = self.file.seen(self.picture(scene))
-        written = file_facts(self.output, picture, self.layout, self.file)
-        if self.beside is None:
-            picture.save(self.output, **self.file.choices, in_place=True)
-            more: dict[str, Any] = {}
-        else:
-            more = self.scene_facts(scene, picture, self.beside)
-        written, facts = with_bytes(written), light_facts(scene)
-        turned = {"north_deg": self.north} if self.north else {}
-        return facts | written | turned | more | {"notes": facts["notes"] + written["notes"]}
+    def made(self, report: Callable[..., None] = lambda *_: None) -> dict[str, Any]:
+        """Make it: the facts of the light and of the file. `report` is called with the rows done and all rows."""
+        from skydome.maps.files import save
 
-    def picture(self, scene: "Scene") -> "EnvironmentMap":
+        scene = self.scene()
+        picture, more = self.map_rows(scene), dict[str, Any]()
+        if self.beside is not None:
+            written, more = self.with_scene(scene, picture.held(), self.beside)
+        else:
+            shown = self.file.seen(picture.held() if prod(picture.size) <= HELD_TEXELS else picture)
+            written = save(shown, self.output, **self.file.choices, report=report)
+        facts, file = light_facts(scene), file_facts(self.output, picture, self.layout, self.file, written)
+        turned = {"north_deg": self.north} if self.north else {}
+        return facts | file | turned | more | {"notes": facts["notes"] + file["notes"]}
+
+    def map_rows(self, scene: "Scene") -> "SkyRows":
         """The map, without the sun's disc where a scene has it as a lamp."""
         import skydome as sd
 
@@ -96,7 +103,7 @@ class MapOrder:
         metadata["software"] = f"skydome {sd.__version__}"
         if self.north:
             metadata["north"] = f"{self.north:g} degrees clockwise from true north"
-        return sd.render(
+        return sd.render_rows(
             scene.whole,
             self.rows,
             projection=self.layout.projection,
@@ -106,11 +113,15 @@ class MapOrder:
             metadata=metadata,
         )
 
-    def scene_facts(self, scene: "Scene", picture: "EnvironmentMap", beside: Path) -> dict[str, Any]:
-        """Write map and scene: the sun's lamp in numbers, in the renderer's axes."""
+    def with_scene(self, scene: "Scene", picture: "EnvironmentMap", beside: Path) -> "tuple[Written, dict[str, Any]]":
+        """Write map and scene: what was seen of the map, and the sun's lamp in numbers, in the renderer's axes."""
         from skydome.export.scenes.formats import scene_format
         from skydome.export.scenes.saving import write_scene
+        from skydome.light.gamut import count_outside
+        from skydome.maps.files import Written, space_in_file
 
+        space = space_in_file(picture, self.output, self.layout)
+        seen = Written(count_outside(picture.pixels, picture.matrix_to(space)))
         choices = {name: self.file.choices[name] for name in ("exposure", "white_luminance", "gamut")}
         written = write_scene(scene.whole, picture, beside, self.output, **choices)
         kind, lamp = scene_format(beside), written.lamp
@@ -124,7 +135,7 @@ class MapOrder:
                 "angle_deg": lamp.width,
                 "colour_temperature_K": lamp.colour_temperature,
             }
-        return facts
+        return seen, facts
 
 
 def order_rows(facts: dict[str, Any]) -> dict[str, str]:

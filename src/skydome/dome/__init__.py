@@ -1,6 +1,7 @@
 """What is done with a whole dome of light: maps, integrals, patches, samples.
 
 - render         Maps of skies: the sky above, the ground below, the sun's energy exact
+- map_rows       The same told by blocks of rows, for maps of any size
 - render_pixels  Maps of one sky or many in the library of their parameters, differentiable
 - small_lights/  Lights smaller than the texels of a map: the sun, the moon, stars
 - ground_light   The ground of a map, a Lambertian plane under its sky

@@ -1,35 +1,28 @@
 """The light of skies written into the pixels of a map, whole or some rows at a time."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from skydome.dome.sources import Source, sources_of
-from skydome.light.colour import RGBSpace
+from skydome.dome.sources import Source
 from skydome.maps.projections import Equirectangular, Projection
-from skydome.skies.sky import Sky
 
 CHUNK = 1 << 17
 """Texels evaluated at a time in float64: about 25 MB of scratch memory."""
 
 
-def paint_rows(
-    pixels: np.ndarray,
-    skies: Sequence[Sky],
-    ground: np.ndarray,
-    projection: Projection,
-    height: int,
-    space: RGBSpace,
-    rows: slice,
-) -> None:
-    """Write the given rows of a map into `pixels` (r, W, 3): the sum of `skies` above the horizon, `ground` (3,) below.
+def takes_kernels(pixels: np.ndarray) -> bool:
+    """Whether compiled kernels can write into an array."""
+    return bool(pixels.dtype == np.float32 and pixels.flags.c_contiguous)
 
-    float32 pixels take the compiled kernels where the whole map is a large job.
+
+def paint_rows(
+    pixels: np.ndarray, sources: list[Source], ground: np.ndarray, projection: Projection, height: int, rows: slice
+) -> None:
+    """Write the given rows of a map into `pixels` (r, W, 3): the sum of skies above the horizon, `ground` (3,) below.
+
+    Texels that the layout does not use are let be.
     """
-    single = pixels.dtype == np.float32 and pixels.flags.c_contiguous
-    texels = int(np.prod(projection.shape(height)))
-    sources = sources_of(skies, space, texels if single else 0)
     if isinstance(projection, Equirectangular) and sources and all(source.has_rows for source in sources):
         paint_level_rows(pixels, sources, ground, projection, height, range(*rows.indices(height)))
         return

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skydome.dome.integrals import discs_and_rest, extended, points_of
-from skydome.dome.render import require_one_condition
+from skydome.dome.map_rows import require_one_condition
 from skydome.ground import exr, hdr
 from skydome.ground.arguments import numbers, require_kind
 from skydome.ground.directions import ZENITH

@@ -1,9 +1,13 @@
 """The eye at night: rods see no colour, are quick for blue, and what they see looks bluish."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from skydome.ground.arguments import require_kind
-from skydome.light.colour import rgb_from_xyz
+from skydome.ground.limits.sizes import row_parts
+from skydome.light.colour import RGBSpace, rgb_from_xyz
+from skydome.maps.by_rows.map_rows import ChangedRows, MapRows
 from skydome.maps.environment_map import EnvironmentMap
 
 CONES_ALONE, RODS_ALONE = 10.0, 0.01
@@ -35,14 +39,23 @@ def night_vision(picture: EnvironmentMap) -> EnvironmentMap:
     True
     """
     require_kind(picture, EnvironmentMap, "picture", "render(sky)")
-    xyz = picture.pixels @ picture.space.to_xyz.T * picture.white_luminance
+    seen = seen_by_night(picture)
+    return replace(picture, pixels=np.concatenate([seen.rows(part) for part in row_parts(picture.height)]))
+
+
+def seen_by_night(picture: MapRows) -> ChangedRows:
+    """The same of a map that is told by rows."""
+    return ChangedRows(picture, lambda pixels: by_night(pixels, picture.space, picture.white_luminance))
+
+
+def by_night(rgb: np.ndarray, space: RGBSpace, white: float) -> np.ndarray:
+    """RGB (..., 3), of which (1, 1, 1) means `white` cd m-2, as the eye sees it by night."""
+    xyz = rgb @ space.to_xyz.T * white
     luminance = np.maximum(xyz[..., 1], 1e-12)
     low, high = np.log10(RODS_ALONE), np.log10(CONES_ALONE)
     t = np.clip((np.log10(luminance) - low) / (high - low), 0.0, 1.0)
     cones = (t * t * (3 - 2 * t))[..., None]
     x, y = BLUISH
     rods = 0.4468 * scotopic_luminance(xyz)[..., None] * np.array([x / y, 1.0, (1 - x - y) / y])
-    seen = rgb_from_xyz((1 - cones) * rods + cones * xyz, picture.space) / picture.white_luminance
-    return EnvironmentMap(
-        seen.astype(picture.pixels.dtype), picture.projection, picture.space, picture.metadata, picture.white_luminance
-    )
+    seen: np.ndarray = rgb_from_xyz((1 - cones) * rods + cones * xyz, space) / white
+    return seen.astype(rgb.dtype)

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from os import PathLike
+from pathlib import Path
 from tempfile import TemporaryFile
 from threading import Lock
 from typing import Any
@@ -42,22 +43,28 @@ def write(
     ValueError where a value is NaN, light is not finite or, with `half`, beyond 65504: half floats would make it
     infinite.
     """
-    import OpenEXR
-
     require_storable(channels, half, factor)
-    attributes = {
-        name: value if isinstance(value, str | tuple) else float(value) for name, value in (header or {}).items()
-    }
-    attributes |= {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    if latlong:
-        attributes["envmap"] = OpenEXR.ENVMAP_LATLONG
     kind = np.float16 if half else np.float32
     stored = {name: as_stored(pixels, kind, 1.0 if name == "Z" else factor) for name, pixels in channels.items()}
     with appearing(path) as beside:
-        try:
-            OpenEXR.File(attributes, stored).write(str(beside))
-        except RuntimeError as error:  # what a full disk is to OpenEXR
-            raise OSError(f"cannot write {path}: {error}") from error
+        put(beside, path, stored, header or {}, latlong)
+
+
+def put(
+    place: Path, path: str | PathLike[str], stored: Mapping[str, np.ndarray], header: Mapping[str, Any], latlong: bool
+) -> None:
+    """Write float16 or float32 channels at a `place`, on the way to `path`, of which errors tell."""
+    import OpenEXR
+
+    plain = (str, tuple)
+    attributes = {name: value if isinstance(value, plain) else float(value) for name, value in header.items()}
+    attributes |= {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    if latlong:
+        attributes["envmap"] = OpenEXR.ENVMAP_LATLONG
+    try:
+        OpenEXR.File(attributes, stored).write(str(place))
+    except RuntimeError as error:  # what a full disk is to OpenEXR
+        raise OSError(f"cannot write {path}: {error}") from error
 
 
 def as_stored(pixels: np.ndarray, kind: Any, factor: float) -> np.ndarray:

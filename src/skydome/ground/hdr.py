@@ -6,7 +6,7 @@ that leave the 1/2 out read up to 0.4 % darker. Scanlines are written as literal
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.arguments import require_file
+from skydome.ground.files.headed import HeadedFile
 from skydome.ground.limits.sizes import row_parts
 from skydome.ground.writing import appearing
 
@@ -36,13 +37,29 @@ def write(
     PRIMARIES line; white of value 1 has 179 cd m-2. `header`: lines `name=value` (EXPOSURE, PRIMARIES, others).
     ValueError for values that are not finite or reach 2^127.
     """
-    rows, columns = pixels.shape[:2]
-    lines = ["#?RADIANCE", *(line for name, value in (header or {}).items() for line in folded(name, one_line(value)))]
-    lines += ["FORMAT=32-bit_rle_rgbe", "", f"-Y {rows} +X {columns}", ""]
-    with appearing(path) as beside, beside.open("wb") as file:
-        file.write("\n".join(lines).encode("utf-8"))
-        for part in row_parts(rows):
-            file.write(literal_runs(encode_rgbe(times(pixels[part], factor))).tobytes())
+    parts = (times(pixels[part], factor) for part in row_parts(len(pixels)))
+    write_rows(path, pixels.shape[:2], parts, lambda: header or {})
+
+
+def write_rows(
+    path: str | PathLike[str],
+    shape: tuple[int, ...],
+    blocks: Iterable[np.ndarray],
+    header: Callable[[], Mapping[str, Any]],
+) -> None:
+    """The same of blocks of rows (r, W, 3); `header` is asked again when all are written: it may tell of them."""
+    with appearing(path) as beside, beside.open("w+b") as file:
+        headed = HeadedFile(file, len(head_of(shape, header())))
+        for block in blocks:
+            for part in row_parts(len(block)):
+                headed.append(literal_runs(encode_rgbe(block[part])).tobytes())
+        headed.finish(head_of(shape, header()))
+
+
+def head_of(shape: tuple[int, ...], header: Mapping[str, Any]) -> bytes:
+    """What stands before the scanlines."""
+    lines = ["#?RADIANCE", *(line for name, value in header.items() for line in folded(name, one_line(value)))]
+    return "\n".join([*lines, "FORMAT=32-bit_rle_rgbe", "", f"-Y {shape[0]} +X {shape[1]}", ""]).encode("utf-8")
 
 
 def times(pixels: np.ndarray, factor: float) -> np.ndarray:

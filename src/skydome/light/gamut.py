@@ -22,22 +22,8 @@ def count_outside(rgb: np.ndarray, matrix: np.ndarray | None = None) -> int:
     return sum(int(outside(colours).sum()) for colours in each)
 
 
-def share_below_black(rgb: np.ndarray, space: RGBSpace) -> float:
-    """Share of the colours of a picture (H, W, 3) whose luminance is below 0, by more than rounding (1e-6 of the most).
-
-    >>> from skydome.light.colour import SRGB
-    >>> share_below_black(np.array([[[1.0, 1.0, 1.0], [-0.5, -0.5, -0.5]]]), SRGB)
-    0.5
-    """
-    weights, below = space.to_xyz[1], 0
-    rounding = 1e-6 * max(float(rgb.max(initial=0.0)), -float(rgb.min(initial=0.0)))
-    for part in row_parts(len(rgb)):
-        below += int((rgb[part] @ weights < -rounding).sum()) if rgb[part].min() < -rounding else 0
-    return float(below / (rgb.shape[0] * rgb.shape[1]))
-
-
-def within_gamut(rgb: np.ndarray, space: RGBSpace, in_place: bool = False) -> np.ndarray:
-    """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none or `in_place`, else a copy.
+def within_gamut(rgb: np.ndarray, space: RGBSpace) -> np.ndarray:
+    """Linear RGB (..., 3) without negative parts: `rgb` itself where it has none, else a copy.
 
     A colour moves along the straight line to the white of its own luminance, to where its lowest part is 0: luminance
     stays, and so does the dominant wavelength, which is such a line in CIE x, y. Black where the luminance is not
@@ -52,7 +38,7 @@ def within_gamut(rgb: np.ndarray, space: RGBSpace, in_place: bool = False) -> np
     for part in row_parts(len(rgb)) if rgb.ndim > 2 else [slice(None)]:
         low = outside(rgb[part])
         if low.any():
-            result = rgb.copy() if result is rgb and not in_place else result
+            result = rgb.copy() if result is rgb else result
             result[part][low] = moved(rgb[part][low].astype(np.float64), space)
     return result
 

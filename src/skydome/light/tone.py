@@ -83,7 +83,7 @@ def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float
     0.18
     """
     weights = np.broadcast_to(np.asarray(solid_angles, dtype=np.float64), luminance.shape)
-    stride = max(1, int((luminance.size / 200_000) ** 0.5))
+    stride = thinning(luminance.size)
     values, weights = luminance[::stride, ::stride].ravel(), weights[::stride, ::stride].ravel()
     lit = np.isfinite(values) & (values > 0) & (weights > 0)
     if not lit.any():
@@ -94,6 +94,11 @@ def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float
     values, weights = values[usual], weights[usual]
     usual = values <= at_share(values, weights, 0.99)
     return MIDDLE_GREY / float(np.exp(np.average(np.log(values[usual]), weights=weights[usual])))
+
+
+def thinning(size: int) -> int:
+    """Of so many values every how many-th row and column is enough for an exposure."""
+    return max(1, int((size / 200_000) ** 0.5))
 
 
 def at_share(values: np.ndarray, weights: np.ndarray, share: float) -> float:

@@ -16,5 +16,6 @@
 - lookup             Values of a map toward any direction: the texel that is hit, or the four around it
 - resample           A map in another layout or size, its light conserved: areas are averaged
 - integrals          Light that a map sends onto surfaces: sums over its texels' solid angles
+- by_rows/           Maps of which never more than some rows are at hand, and their light on its way into files
 - showing/           How skies and maps show themselves to people: previews, tables, pictures in notebooks, plots
 """

@@ -1,26 +1,26 @@
 """Maps to files: which layout, which scale, and what the header says about the light, the place and the time."""
 
 import math
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
 from datetime import datetime
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 
-from skydome.ground import exr, hdr, png
+from skydome.ground import hdr, png
 from skydome.ground.arguments import require_path
+from skydome.ground.files import exr_rows
 from skydome.ground.limits.ranges import Range, require
-from skydome.ground.limits.sizes import row_parts
 from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.gamut import count_outside, within_gamut
 from skydome.light.tone import Curve
+from skydome.maps.by_rows.light_in_file import Gamut, LightInFile, Report, watched
+from skydome.maps.by_rows.map_rows import MapRows
 from skydome.maps.equirectangular import Equirectangular
-from skydome.maps.pixels import MapPixels
 from skydome.maps.projection import Projection
-from skydome.maps.showing.preview import preview_in_bytes
+from skydome.maps.showing.preview import preview_rows, usual_exposure
 from skydome.maps.targets import TARGETS, Target
 from skydome.maps.targets import target as target_named
 
@@ -33,14 +33,18 @@ WHITE_IN_FILE = Range(float(np.float32(1e-12)), 1e12, "cd m-2")
 """What a file's white may be, so that the file can be read again; OpenEXR keeps it in float32."""
 COARSE = 0.01
 """Share of a map's light that the rounding to half floats may move."""
-Gamut = Literal["white", "none"]
-"""What becomes of colours outside the RGB space: moved toward its white, or written as they are."""
-
 MOVED = "colours outside the RGB space moved toward its white, luminance kept"
 
 
+class Written(NamedTuple):
+    """What was seen of the light on its way: texels outside the file's RGB space, the exposure of a picture."""
+
+    outside: int = 0
+    exposure: float | None = None
+
+
 def save(
-    environment: MapPixels,
+    environment: MapRows,
     path: str | PathLike[str],
     target: str | None = None,
     half: bool = False,
@@ -49,8 +53,8 @@ def save(
     curve: Curve | None = None,
     white_luminance: float | None = None,
     gamut: Gamut = "white",
-    in_place: bool = False,
-) -> None:
+    report: Report = lambda *_: None,
+) -> Written:
     """Write a map to `path` (.exr, .hdr or .png), atomically, in the layout of a renderer where `target` names one.
 
     .exr: RGB times whiteLuminance is cd m-2. `white_luminance` sets it; else it is the map's, and `HALF_WHITE` for
@@ -58,27 +62,32 @@ def save(
     EXPOSURE 1; with `white_luminance` values are cd m-2 over it, and EXPOSURE says so. Targets that keep half floats
     alone (three) get them, at that scale. Colours outside the RGB space move toward white, luminance kept;
     `gamut="none"` writes them as they are (.hdr then cuts at 0). Targets that read one space get it. .png: a preview
-    with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size. `in_place`: the map's
-    own pixels may be overwritten, so that a large one needs no second.
+    with `exposure` (per cd m-2) and `curve`. `height` resizes; without it texels keep their size. A map that is told by
+    rows is never held whole, unless its layout or height change; `report` is called with the rows done and all rows.
     """
     suffix = require_path(path, "a map").suffix.lower()
     layout = None if target is None else target_named(target)
     require_choices(path, half, white_luminance, exposure, gamut)
-    if layout is not None or height is not None:
-        environment = environment.resampled(layout.projection if layout else environment.projection, height)
-    if suffix != ".exr" or gamut != "none":
-        environment.tell_of_negative_light(Path(path).name)
+    environment = laid_out(environment, layout, height)
+    tells = suffix != ".exr" or gamut != "none"
+    seen = watched(environment, Path(path).name) if tells else environment.blocks()
     if suffix == ".png":
-        png.write(path, preview_in_bytes(environment, exposure, curve), provenance(environment, layout))
-        return
-    environment = in_its_colours(environment, space_in_file(environment, path, layout), gamut, in_place)
-    notes = provenance(environment, layout)
+        return save_png(environment, seen, path, layout, exposure, curve, report)
     white = file_white(environment, path, layout, half, white_luminance) or environment.white_luminance
     require("white luminance", white, WHITE_IN_FILE)
-    if suffix == ".exr":
-        save_exr(environment, path, is_half(layout, half), white, notes)
-    else:
-        save_hdr(environment, path, white, notes)
+    space = space_in_file(environment, path, layout)
+    light = LightInFile(environment, space, gamut, white, suffix == ".exr" and is_half(layout, half))
+    write = save_exr if suffix == ".exr" else save_hdr
+    write(light, seen, path, layout, report)
+    return Written(light.outside)
+
+
+def laid_out(environment: MapRows, layout: Target | None, height: int | None) -> MapRows:
+    """The map in a target's layout and a height: itself where it has both."""
+    projection = layout.projection if layout else environment.projection
+    if projection == environment.projection and height in (None, environment.height):
+        return environment
+    return environment.held().resampled(projection, height)
 
 
 def is_half(layout: Target | None, half: bool) -> bool:
@@ -87,7 +96,7 @@ def is_half(layout: Target | None, half: bool) -> bool:
 
 
 def file_white(
-    environment: MapPixels, path: str | PathLike[str], layout: Target | None, half: bool, given: float | None
+    environment: MapRows, path: str | PathLike[str], layout: Target | None, half: bool, given: float | None
 ) -> float | None:
     """cd m-2 of RGB (1, 1, 1) in the file; None for a .png, which is developed."""
     suffix = Path(path).suffix.lower()
@@ -98,7 +107,7 @@ def file_white(
     return environment.white_luminance if suffix == ".exr" else RADIANCE_EFFICACY
 
 
-def space_in_file(environment: MapPixels, path: str | PathLike[str], layout: Target | None) -> RGBSpace:
+def space_in_file(environment: MapRows, path: str | PathLike[str], layout: Target | None) -> RGBSpace:
     """The RGB space of the file: sRGB in a .png, else the map's where the target takes it."""
     if Path(path).suffix.lower() == ".png":
         return SRGB
@@ -128,70 +137,56 @@ def require_choices(
         require("white luminance", white_luminance, WHITE_IN_FILE)
 
 
-def in_its_colours(environment: MapPixels, space: RGBSpace, gamut: Gamut, in_place: bool) -> MapPixels:
-    """The map in that RGB space, its colours within the space unless `gamut` is "none"."""
-    environment = environment.in_space(space, in_place)
-    if gamut == "none" or not count_outside(environment.pixels):
-        return environment
-    pixels = within_gamut(environment.pixels, environment.space, in_place)
-    return replace(environment, pixels=pixels, metadata={**environment.metadata, "gamut": MOVED})
+def save_png(
+    environment: MapRows,
+    seen: Iterator[np.ndarray],
+    path: str | PathLike[str],
+    layout: Target | None,
+    exposure: float | None,
+    curve: Curve | None,
+    report: Report,
+) -> Written:
+    """A preview."""
+    exposure = usual_exposure(environment) if exposure is None else exposure
+    pictures = preview_rows(environment, seen, exposure, curve, report)
+    png.write_rows(
+        path, environment.size, pictures, provenance(environment, environment.metadata, environment.space, layout)
+    )
+    return Written(exposure=exposure)
 
 
 def save_exr(
-    environment: MapPixels, path: str | PathLike[str], half: bool, white: float, notes: dict[str, Any]
+    light: LightInFile, seen: Iterator[np.ndarray], path: str | PathLike[str], layout: Target | None, report: Report
 ) -> None:
     """OpenEXR, float or half, with place, time, unit and primaries in their own attributes."""
-    factor = environment.white_luminance / white
-    if half:
-        require_half(environment.pixels, white, factor)
+    environment = light.source
     header = {
-        **light_unit(environment.space, white),
-        "comments": f"RGB times {white:g} is luminance in cd m-2 (Y); texel centres.",
+        **light_unit(light.space, light.white),
+        "comments": f"RGB times {light.white:g} is luminance in cd m-2 (Y); texel centres.",
         **{name: float(environment.metadata[name]) for name in PLACE if name in environment.metadata},
         **time_attributes(environment.metadata.get("time")),
-        **notes,
     }
     seen_from_inside = isinstance(environment.projection, Equirectangular) and not environment.projection.mirrored
-    exr.write(path, {"RGB": environment.pixels}, header, half, latlong=seen_from_inside, factor=factor)
+    blocks = light.blocks(seen, np.float16 if light.half else np.float32, report)
+    exr_rows.write_rows(path, environment.size, blocks, lambda: header | noted(light, layout), seen_from_inside)
 
 
-def require_half(pixels: np.ndarray, white: float, factor: float) -> None:
-    """ValueError where half floats end below the light, pixels times a factor, or are too coarse for most of it."""
-    peak = factor * float(max(pixels.max(initial=0.0), -pixels.min(initial=0.0)))
-    if peak > exr.HALF_MAXIMUM:
-        least = half_white(peak * white)
-        raise ValueError(
-            f"half floats end at {exr.HALF_MAXIMUM:g}, got {peak:g} at a white luminance of {white:g} cd m-2; "
-            f"{least:g} holds it"
-        )
-    total, lost = 0.0, 0.0
-    for part in row_parts(len(pixels)):
-        light = pixels[part] * pixels.dtype.type(factor)
-        total += float(np.abs(light).sum(dtype=np.float64))
-        lost += float(np.abs(light.astype(np.float16) - light.astype(np.float64)).sum())
-    if lost > COARSE * total:
-        best = half_white(peak * white)
-        raise ValueError(
-            f"half floats are too coarse for light of at most {peak * white:.3g} cd m-2 at a white luminance of "
-            f"{white:g} cd m-2; {best:g} suits it"
-        )
+def save_hdr(
+    light: LightInFile, seen: Iterator[np.ndarray], path: str | PathLike[str], layout: Target | None, report: Report
+) -> None:
+    """Radiance picture: cd m-2 / white in the file's own primaries, as PRIMARIES says, Radiance's unit by EXPOSURE."""
+    metadata, dtype = light.source.metadata, light.source.dtype
+    primaries = " ".join(f"{value:.4f}" for value in light.space.chromaticities)
+    place = {name: metadata[name] for name in (*PLACE, "time") if name in metadata}
+    header = {"SOFTWARE": "skydome", "EXPOSURE": RADIANCE_EFFICACY / light.white, "PRIMARIES": primaries, **place}
+    hdr.write_rows(path, light.source.size, light.blocks(seen, dtype, report), lambda: header | noted(light, layout))
 
 
-def half_white(peak: float) -> float:
-    """The smallest power of ten, as cd m-2 of RGB (1, 1, 1), at which half floats hold light of `peak` cd m-2.
-
-    >>> half_white(1.6e9), half_white(60000.0)
-    (100000.0, 1.0)
-    """
-    return float(10.0 ** math.ceil(math.log10(peak / exr.HALF_MAXIMUM)))
-
-
-def save_hdr(environment: MapPixels, path: str | PathLike[str], white: float, notes: dict[str, Any]) -> None:
-    """Radiance picture: cd m-2 / `white` in the map's own primaries, as PRIMARIES says, Radiance's unit by EXPOSURE."""
-    primaries = " ".join(f"{value:.4f}" for value in environment.space.chromaticities)
-    place = {name: environment.metadata[name] for name in (*PLACE, "time") if name in environment.metadata}
-    header = {"SOFTWARE": "skydome", "EXPOSURE": RADIANCE_EFFICACY / white, "PRIMARIES": primaries, **place, **notes}
-    hdr.write(path, environment.pixels, header, environment.white_luminance / white)
+def noted(light: LightInFile, layout: Target | None) -> dict[str, Any]:
+    """The provenance, and what has become of the colours so far."""
+    moved = light.outside and light.gamut != "none"
+    metadata = {**light.source.metadata, **({"gamut": MOVED} if moved else {})}
+    return provenance(light.source, metadata, light.space, layout)
 
 
 def light_unit(space: RGBSpace, white_luminance: float = 1.0) -> dict[str, Any]:
@@ -218,10 +213,12 @@ def time_attributes(time: str | datetime | np.datetime64 | None) -> dict[str, An
     return {"capDate": moment.strftime("%Y:%m:%d %H:%M:%S"), "utcOffset": -offset.total_seconds()}
 
 
-def provenance(environment: MapPixels, layout: Target | None) -> dict[str, Any]:
+def provenance(
+    environment: MapRows, metadata: Mapping[str, Any], space: RGBSpace, layout: Target | None
+) -> dict[str, Any]:
     """The remaining metadata and the layout, as `skydome:name` -> str or float."""
-    facts = {name: plain(value) for name, value in environment.metadata.items() if name not in (*PLACE, "time")}
-    facts |= {"projection": repr(environment.projection), "space": environment.space.name}
+    facts = {name: plain(value) for name, value in metadata.items() if name not in (*PLACE, "time")}
+    facts |= {"projection": repr(environment.projection), "space": space.name}
     layout = layout or layout_of(environment.projection)
     facts |= {"target": layout.name, "orientation": layout.note} if layout else {}
     return {f"{OWN}{name}": value for name, value in facts.items()}

@@ -1,6 +1,6 @@
 """A film of a day of a weather file: a map of each of its rows with light, whose clouds carry that light."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -56,9 +56,9 @@ class LightOrder(MapOrder):
             complain("skydome", f"{told}, of the nearest clouds, since {why}")
         return Scene("physical", found.sky, found.whole, found.disc, moment, (told,))
 
-    def made(self) -> dict[str, Any]:
+    def made(self, report: Callable[..., None] = lambda *_: None) -> dict[str, Any]:
         """As every map, with its light and the last factors."""
-        facts = super().made()
+        facts = super().made(report)
         return facts | {"light": asdict(self.light) | {"told": facts["notes"][0]}}
 
 

@@ -6,7 +6,7 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.doors import progress
-from skydome.cli.map_file import FileOptions, file_facts, file_rows, with_bytes
+from skydome.cli.map_file import FileOptions, file_facts, file_rows
 from skydome.cli.numbers_of_light import notes_row
 from skydome.cli.options import AsJson, taking
 from skydome.cli.printing import show
@@ -27,24 +27,23 @@ def convert(
     as_json: AsJson = False,
 ) -> None:
     """Bring a map into another renderer's layout, its light conserved."""
-    from skydome.maps.files import layout_of
+    from skydome.maps.files import layout_of, save
     from skydome.maps.loading import load
 
     wanted = file.layout(output)
     picture = load(source, layout)
     rows = picture.height_in(wanted.projection) if height is None else height
-    with progress(f"resampling to {rows} rows"):
+    with progress(f"resampling to {rows} rows") as report:
         result = picture.resampled(wanted.projection, rows)
         shown = file.seen(result)
-        written = file_facts(output, shown, wanted, file)
         before, after = float(picture.illuminance()), float(result.illuminance())
-        shown.save(output, **file.choices, in_place=True)
+        written = save(shown, output, **file.choices, report=report)
     found = layout_of(picture.projection)
     facts = {
         "source": str(source),
         "from": layout or (found.name if found else repr(picture.projection)),
         "illuminance_lx": {"source": before, "file": after},
-        **with_bytes(written),
+        **file_facts(output, shown, wanted, file, written),
     }
     rows_shown = {
         "source": f"{source} ({facts['from']})",

@@ -60,8 +60,8 @@ def render(
         show(facts, sequence_rows(facts), as_json)
         return
     order = order.checked()
-    with progress(f"rendering {order.rows} rows"):
-        facts = order.made()
+    with progress(f"rendering {order.rows} rows") as report:
+        facts = order.made(report)
     show(facts, order_rows(facts), as_json)
 
 

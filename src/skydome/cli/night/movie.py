@@ -46,14 +46,14 @@ class Movie:
         """The factor per cd m-2 of each."""
         import numpy as np
 
-        from skydome.cli.map_file import exposure_of
+        from skydome.maps.showing.preview import usual_exposure
 
         if self.exposure is not None:
             return [self.exposure] * len(frames)
         wanted = []
         for number, path in enumerate(frames):
             report(number, len(frames), f"metering {path.name}")
-            wanted.append(exposure_of(self.seen(path), None))
+            wanted.append(usual_exposure(self.seen(path)))
         return calmed(np.log(wanted), np.array(seconds))
 
     def seen(self, path: Path) -> "EnvironmentMap":

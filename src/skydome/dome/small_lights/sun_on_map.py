@@ -1,9 +1,11 @@
 """The sun's disc on the texels of a map: its energy, its place and the light that it gives the ground are kept."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
+from skydome.dome.small_lights.texels import TexelLight
 from skydome.ground.directions import ZENITH
 from skydome.light.colour import RGBSpace, rgb_from_xyz
 from skydome.maps.integrals import front_part
@@ -31,10 +33,10 @@ class Spot(NamedTuple):
     flux: np.ndarray
 
 
-def add_disc(
-    pixels: np.ndarray, disc: SunDisc, factor: float, projection: Projection, height: int, space: RGBSpace
-) -> None:
-    """Add the disc's light to the pixels of a map, in place.
+def disc_on_map(
+    disc: SunDisc, factor: float, projection: Projection, height: int, space: RGBSpace
+) -> Iterator[TexelLight]:
+    """What the disc gives the texels of a map.
 
     Each of many points of the disc gives its flux to the texel that it falls in; then a part of the whole pattern moves
     by one texel up or down, and left or right, so that its mean direction is the disc's. The sum of luminance x solid
@@ -45,7 +47,7 @@ def add_disc(
     """
     if not bool(disc.is_day):
         return
-    angles = np.broadcast_to(projection.solid_angles(height), pixels.shape[:2])
+    angles = np.broadcast_to(projection.solid_angles(height), projection.shape(height))
     directions, light = disc.points(disc_points(disc, 4 * np.pi / angles.size))
     row, column, covered = projection.pixels(directions, height)
     seen = covered & (directions[:, 2] >= 0) & (light[:, 1] > 0)
@@ -56,7 +58,7 @@ def add_disc(
     wanted = directions[seen].T @ light[:, 1] / light[:, 1].sum()
     for part in centred(gathered(*texels, light, angles.shape[1]), wanted, projection, angles):
         share = part.flux * (factor / angles[part.row, part.column][:, None])
-        np.add.at(pixels, (part.row, part.column), rgb_from_xyz(share, space).astype(pixels.dtype))
+        yield TexelLight(part.row, part.column, rgb_from_xyz(share, space))
 
 
 def disc_points(disc: SunDisc, texel: float) -> int:

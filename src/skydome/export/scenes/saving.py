@@ -15,9 +15,10 @@ from skydome.ground.arguments import require_kind, require_path
 from skydome.ground.limits.ranges import NOT_NEGATIVE, require, require_one
 from skydome.ground.writing import appearing, require_place
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.tone import auto_exposure
+from skydome.maps.by_rows.light_in_file import Gamut
 from skydome.maps.environment_map import EnvironmentMap
-from skydome.maps.files import Gamut, file_white, require_choices, space_in_file
+from skydome.maps.files import file_white, require_choices, space_in_file
+from skydome.maps.showing.preview import usual_exposure
 from skydome.skies.colour_sky import ColourSky
 from skydome.skies.sky import Sky
 from skydome.skies.validity import parameters_text
@@ -104,7 +105,7 @@ def write_scene(
         white=white,
         space=space_in_file(picture, map_path, kind.target),
         lamp=SunLamp.of(sky),
-        exposure=exposure or exposure_of(picture),
+        exposure=exposure or usual_exposure(picture),
         horizontal=(diffuse, direct),
         about=tuple(about(sky, picture.metadata)),
     )
@@ -118,8 +119,3 @@ def about(sky: ColourSky, metadata: Mapping[str, Any]) -> Iterator[str]:
     """What sky it is, in plain lines: the model in words, then what else the map carries."""
     yield f"sky: {parameters_text(sky.parameters())}"
     yield from (f"{name}: {value}" for name, value in metadata.items() if name not in ("model", "software"))
-
-
-def exposure_of(picture: EnvironmentMap) -> float:
-    """The factor, per cd m-2, that brings the map's usual luminance to middle grey."""
-    return auto_exposure(picture.luminance(), picture.projection.solid_angles(picture.height))

@@ -1,13 +1,14 @@
 """A map as a photographer would see it: exposed, tone-mapped, encoded for the screen."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from skydome.ground.limits.sizes import row_parts
 from skydome.ground.png import in_bytes
 from skydome.light.colour import SRGB, encode_srgb
-from skydome.light.tone import Curve, Filmic, auto_exposure, tone_mapped
+from skydome.light.tone import Curve, Filmic, auto_exposure, thinning, tone_mapped
+from skydome.maps.by_rows.map_rows import MapRows
 from skydome.maps.pixels import MapPixels
 
 
@@ -20,25 +21,43 @@ def preview(environment: MapPixels, exposure: float | None = None, curve: Curve 
     >>> preview(grey)[0, 0].round(3).tolist()
     [0.553, 0.553, 0.553]
     """
-    return developer(environment, exposure, curve)(environment.pixels)
+    return developer(environment, usual_exposure(environment) if exposure is None else exposure, curve)(
+        environment.pixels
+    )
 
 
-def preview_in_bytes(environment: MapPixels, exposure: float | None, curve: Curve | None) -> np.ndarray:
-    """The same as bytes (H, W, 3), some rows at a time: a large map needs no second one."""
-    developed, picture = developer(environment, exposure, curve), np.empty(environment.pixels.shape, np.uint8)
-    for part in row_parts(environment.height):
-        picture[part] = in_bytes(developed(environment.pixels[part]))
-    return picture
+def preview_rows(
+    source: MapRows,
+    blocks: Iterator[np.ndarray],
+    exposure: float,
+    curve: Curve | None,
+    report: Callable[[float, float], None],
+) -> Iterator[np.ndarray]:
+    """The same of a map's blocks of rows, as bytes (r, W, 3); `report` takes the rows done and all rows."""
+    developed = developer(source, exposure, curve)
+    for part, pixels in zip(source.parts(), blocks, strict=True):
+        for rows in row_parts(len(pixels)):
+            yield in_bytes(developed(pixels[rows]))
+        report(part.stop, source.height)
 
 
-def developer(
-    environment: MapPixels, exposure: float | None, curve: Curve | None
-) -> Callable[[np.ndarray], np.ndarray]:
+def usual_exposure(source: MapRows) -> float:
+    """The factor, per cd m-2, that brings a map's usual luminance to middle grey (see `auto_exposure`)."""
+    rows, columns = source.size
+    step = thinning(rows * columns)
+    weights = (source.space.to_xyz[1] * source.white_luminance).astype(source.dtype)
+    light = [
+        (pixels[-part.start % step :: step] @ weights)[:, ::step]
+        for part, pixels in zip(source.parts(), source.blocks(), strict=True)
+    ]
+    angles = np.broadcast_to(source.projection.solid_angles(source.height), (rows, columns))
+    return auto_exposure(np.concatenate(light), angles[::step, ::step])
+
+
+def developer(source: MapRows, exposure: float, curve: Curve | None) -> Callable[[np.ndarray], np.ndarray]:
     """What makes sRGB-encoded values of a map's pixels (..., 3)."""
-    if exposure is None:
-        exposure = auto_exposure(environment.luminance(), environment.projection.solid_angles(environment.height))
-    to_srgb = SRGB.from_xyz @ environment.space.to_xyz * (environment.white_luminance * exposure)
-    matrix, shown = to_srgb.T.astype(environment.pixels.dtype), curve or Filmic()
+    to_srgb = SRGB.from_xyz @ source.space.to_xyz * (source.white_luminance * exposure)
+    matrix, shown = to_srgb.T.astype(source.dtype), curve or Filmic()
 
     def developed(pixels: np.ndarray) -> np.ndarray:
         encoded: np.ndarray = encode_srgb(tone_mapped(pixels @ matrix, shown))
