@@ -6,7 +6,7 @@ import pytest
 def test_the_command_line_grants_more_and_less(refused, call, tmp_path):
     asked = ("render", "--sun", "180,40", "-o", tmp_path / "a.exr", "--height")
     assert "at most 2147483648 texels in a map" in refused(*asked, 65536)
-    assert "would take 12 GB of memory, 4 are allowed" in refused(*asked, 16384, "--scene", tmp_path / "a.usda")
+    assert "would take 6 GB of memory, 4 are allowed" in refused(*asked, 16384, "--scene", tmp_path / "a.usda")
     assert "must be a size such as 16G" in refused(*asked, 16, "--max-memory", "much")
     assert "64M at least" in refused(*asked, 16, "--max-memory")
     assert "0.0625 are allowed" in refused(*asked, 4096, "--max-memory", "64M")

@@ -87,13 +87,13 @@ def test_strips_make_the_file_that_openexr_makes(tmp_path, small_blocks, half):
     assert (tmp_path / "rows.exr").read_bytes() == (tmp_path / "whole.exr").read_bytes()
 
 
-@pytest.mark.parametrize("name", ["a.exr", "a.hdr", "a.png"])
-def test_little_memory(tmp_path, small_blocks, monkeypatch, name):
+@pytest.mark.parametrize(("name", "choices"), [("a.exr", {}), ("a.hdr", {}), ("a.png", {"exposure": 1e-5})])
+def test_little_memory(tmp_path, small_blocks, monkeypatch, name, choices):
     """Less than the map would take alone, although this one is small."""
     monkeypatch.setattr(painting, "CHUNK", 1 << 13)
     sky = sd.render_rows(sd.HosekWilkie(SUN, turbidity=3.0), 512)
     tracemalloc.start()
-    sky.save(tmp_path / name)
+    sky.save(tmp_path / name, **choices)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 512 * 1024 * 12
@@ -101,14 +101,13 @@ def test_little_memory(tmp_path, small_blocks, monkeypatch, name):
 
 def test_what_cannot_be_is_refused_and_leaves_nothing(tmp_path, small_blocks):
     made = sd.render_rows(SKIES["formula"], 136)
-    with pytest.raises(ValueError, match="half floats end at 65504, got .* 100000 holds it"):
+    with pytest.raises(ValueError, match=r"half floats end at 65504, got .*; 1000 holds it"):
         made.save(tmp_path / "a.exr", half=True, white_luminance=1.0)
     dark = sd.render_rows(-1.0 * SKIES["cie"], 136)
-    with pytest.raises(ValueError, match="must be above 0 somewhere, got none for a.hdr"):
+    with pytest.raises(ValueError, match=r"must be above 0 somewhere, got none for a\.hdr"):
         dark.save(tmp_path / "a.hdr")
     with pytest.raises(ValueError, match="at most 2147483648 texels in a map"):
         sd.render_rows(SKIES["cie"], 1 << 16)
-    with pytest.raises(ValueError, match="would take"), granting(1 << 24):
-        made.held()
-        sd.render_rows(SKIES["cie"], 8192).held()
+    with granting(1 << 20), pytest.raises(ValueError, match="would take"):
+        sd.render_rows(SKIES["cie"], 512)
     assert list(tmp_path.iterdir()) == []

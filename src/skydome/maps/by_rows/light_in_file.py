@@ -114,7 +114,7 @@ class LightInFile:
     def blocks(self, seen: Iterator[np.ndarray], kind: Any, report: Report) -> Iterator[np.ndarray]:
         """The map's blocks of rows (r, W, 3) as that type of numbers; ValueError for light that no file can have."""
         for part, pixels in zip(self.source.parts(), seen, strict=True):
-            for rows in blocks_of(*pixels.shape[:2], TEXELS_IN_WORK):
+            for rows in blocks_of(len(pixels), pixels.shape[1], TEXELS_IN_WORK):
                 yield self.brought(pixels[rows], kind)
                 report(part.start + rows.stop, self.source.height)
         if self.half:
