@@ -78,6 +78,7 @@ CALLS = {
     "clear_zenith_luminance": LIT,
     "overcast_zenith_luminance": {"sun": SUN},
     "render": {"sky": HW, "height": 16, "dtype": np.float32},
+    "render_rows": {"sky": HW, "height": 16, "disc": True},
     "render_pixels": {"sky": HW, "height": 16},
     "illuminance": {"sky": HW, "normal": sd.EAST, "ground_albedo": 0.2},
     "irradiance": {"sky": HW, "wavelengths": [450.0, 500.0], "normal": sd.EAST, "ground_albedo": 0.2},

@@ -104,9 +104,13 @@ class SkyRows(MapRows):
         return self.count
 
     @property
-    def dtype(self) -> np.dtype[Any]:
+    def pixel_type(self) -> np.dtype[Any]:
         """float32 or float64."""
         return self.kind
+
+    def resampled(self, projection: Projection, height: int | None = None) -> EnvironmentMap:
+        """The map in another layout and height, all of it in memory."""
+        return self.held().resampled(projection, height)
 
     def sources(self, kernels: bool) -> list[Source]:
         """The skies ready to be painted, by compiled kernels where the whole map is a large job, or without."""
@@ -116,7 +120,7 @@ class SkyRows(MapRows):
     @cached_property
     def own_sources(self) -> list[Source]:
         """As `rows` takes them."""
-        return self.sources(self.kind == np.float32)
+        return self.sources(self.pixel_type == np.float32)
 
     def rows(self, part: slice) -> np.ndarray:
         """Pixels of some rows, (r, W, 3)."""

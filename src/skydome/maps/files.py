@@ -87,7 +87,7 @@ def laid_out(environment: MapRows, layout: Target | None, height: int | None) ->
     projection = layout.projection if layout else environment.projection
     if projection == environment.projection and height in (None, environment.height):
         return environment
-    return environment.held().resampled(projection, height)
+    return environment.resampled(projection, height)
 
 
 def is_half(layout: Target | None, half: bool) -> bool:
@@ -175,7 +175,7 @@ def save_hdr(
     light: LightInFile, seen: Iterator[np.ndarray], path: str | PathLike[str], layout: Target | None, report: Report
 ) -> None:
     """Radiance picture: cd m-2 / white in the file's own primaries, as PRIMARIES says, Radiance's unit by EXPOSURE."""
-    metadata, dtype = light.source.metadata, light.source.dtype
+    metadata, dtype = light.source.metadata, light.source.pixel_type
     primaries = " ".join(f"{value:.4f}" for value in light.space.chromaticities)
     place = {name: metadata[name] for name in (*PLACE, "time") if name in metadata}
     header = {"SOFTWARE": "skydome", "EXPOSURE": RADIANCE_EFFICACY / light.white, "PRIMARIES": primaries, **place}

@@ -57,17 +57,13 @@ class MapPixels(Bounded, MapRows):
         return brightness
 
     @property
-    def dtype(self) -> np.dtype[Any]:
+    def pixel_type(self) -> np.dtype[Any]:
         """float32 or float64."""
         return self.pixels.dtype
 
     def rows(self, part: slice) -> np.ndarray:
         """Pixels of some rows, (r, W, 3)."""
         return self.pixels[part]
-
-    def held(self) -> Self:
-        """Itself."""
-        return self
 
     def resampled(self, projection: Projection, height: int | None = None) -> Self:
         """The map in another layout and height (default: texels of about the same size), light conserved.

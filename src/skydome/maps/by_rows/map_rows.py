@@ -2,17 +2,14 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from skydome.ground.limits.sizes import ROWS
 from skydome.light.colour import RGBSpace
 from skydome.maps.projection import Projection
-
-if TYPE_CHECKING:
-    from skydome.maps.pixels import MapPixels
 
 TEXELS = 1 << 22
 """In a block of rows: 50 MB of float32."""
@@ -33,7 +30,7 @@ class MapRows(ABC):
 
     @property
     @abstractmethod
-    def dtype(self) -> np.dtype[Any]:
+    def pixel_type(self) -> np.dtype[Any]:
         """float32 or float64."""
 
     @abstractmethod
@@ -41,8 +38,8 @@ class MapRows(ABC):
         """Pixels of some rows, (r, W, 3)."""
 
     @abstractmethod
-    def held(self) -> "MapPixels":
-        """The map with all its pixels in memory."""
+    def resampled(self, projection: Projection, height: int | None = None) -> "MapRows":
+        """The map in another layout and height, all of it in memory."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -60,7 +57,7 @@ class MapRows(ABC):
     def matrix_to(self, space: RGBSpace) -> np.ndarray | None:
         """What pixels are multiplied by to be in another RGB space, (3, 3); None where they are in that one."""
         same = space == self.space
-        return None if same else (self.space.to_xyz.T @ space.from_xyz.T).astype(self.dtype)
+        return None if same else (self.space.to_xyz.T @ space.from_xyz.T).astype(self.pixel_type)
 
 
 def blocks_of(rows: int, columns: int, texels: int) -> Iterator[slice]:
@@ -91,15 +88,14 @@ class ChangedRows(MapRows):
         return self.source.height
 
     @property
-    def dtype(self) -> np.dtype[Any]:
+    def pixel_type(self) -> np.dtype[Any]:
         """float32 or float64."""
-        return self.source.dtype
+        return self.source.pixel_type
 
     def rows(self, part: slice) -> np.ndarray:
         """Pixels of some rows, (r, W, 3)."""
         return self.change(self.source.rows(part))
 
-    def held(self) -> "MapPixels":
-        """The map with all its pixels in memory."""
-        whole = self.source.held()
-        return replace(whole, pixels=np.concatenate([self.rows(part) for part in self.parts()]))
+    def resampled(self, projection: Projection, height: int | None = None) -> "ChangedRows":
+        """The source in another layout and height, then changed."""
+        return ChangedRows(self.source.resampled(projection, height), self.change)

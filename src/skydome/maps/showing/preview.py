@@ -45,7 +45,7 @@ def usual_exposure(source: MapRows) -> float:
     """The factor, per cd m-2, that brings a map's usual luminance to middle grey (see `auto_exposure`)."""
     rows, columns = source.size
     step = thinning(rows * columns)
-    weights = (source.space.to_xyz[1] * source.white_luminance).astype(source.dtype)
+    weights = (source.space.to_xyz[1] * source.white_luminance).astype(source.pixel_type)
     light = [
         (pixels[-part.start % step :: step] @ weights)[:, ::step]
         for part, pixels in zip(source.parts(), source.blocks(), strict=True)
@@ -57,7 +57,7 @@ def usual_exposure(source: MapRows) -> float:
 def developer(source: MapRows, exposure: float, curve: Curve | None) -> Callable[[np.ndarray], np.ndarray]:
     """What makes sRGB-encoded values of a map's pixels (..., 3)."""
     to_srgb = SRGB.from_xyz @ source.space.to_xyz * (source.white_luminance * exposure)
-    matrix, shown = to_srgb.T.astype(source.dtype), curve or Filmic()
+    matrix, shown = to_srgb.T.astype(source.pixel_type), curve or Filmic()
 
     def developed(pixels: np.ndarray) -> np.ndarray:
         encoded: np.ndarray = encode_srgb(tone_mapped(pixels @ matrix, shown))
