@@ -14,7 +14,7 @@ from skydome.dome.painting import paint_rows, takes_kernels
 from skydome.dome.small_lights.points_on_map import points_on_map
 from skydome.dome.small_lights.sun_on_map import disc_on_map
 from skydome.dome.small_lights.texels import TexelLight
-from skydome.dome.sources import Source, source_of
+from skydome.dome.sources import Source, sources_of
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import as_numpy, brief, constant, is_array, is_labelled, is_numpy
 from skydome.ground.directions import ZENITH
@@ -115,7 +115,7 @@ class SkyRows(MapRows):
     def sources(self, kernels: bool) -> list[Source]:
         """The skies ready to be painted, by compiled kernels where the whole map is a large job, or without."""
         rows, columns = self.size
-        return [source_of(sky, self.space, rows * columns if kernels else 0) for sky in self.skies]
+        return sources_of(self.skies, self.space, rows * columns if kernels else 0)
 
     @cached_property
     def own_sources(self) -> list[Source]:
