@@ -13,7 +13,8 @@ from skydome.ground.files.reading import arrays_in
 from skydome.own_air.all_air.lessons import AZIMUTHS, HELD, MOST_BYTES, VIEWS, Cases, write_missing
 from skydome.own_air.clouds.layers import RandomLayer, random_layer
 from skydome.skies.clouds.layer_light import once
-from skydome.skies.clouds.layer_optics import DARK, PEAK, LayerOptics, features, layer_optics
+from skydome.skies.clouds.layer_optics import PEAK, LayerOptics, layer_optics
+from skydome.skies.clouds.two_streams import DARK, features, typical
 from skydome.skies.physical.cosine_series import LEAST_COSINE, interpolated, view_nodes
 from skydome.skies.physical.discrete_ordinates import Solution
 
@@ -61,7 +62,7 @@ def solve(layer: RandomLayer) -> tuple[float, np.ndarray, np.ndarray, np.ndarray
 
 @dataclass(frozen=True, eq=False)
 class OvercastLessons(Cases):
-    """Cases of a layer, its optical numbers (N,); `once` is the cloud's."""
+    """Cases of a layer, its optical numbers (N,); `once` is the cloud's. Light in units of `typical`."""
 
     air: LayerOptics
 
@@ -76,7 +77,9 @@ class OvercastLessons(Cases):
         numbers = np.concatenate([part["air"] for part in read], axis=1)
         sines, rest, single = (np.concatenate([part[name] for part in read]) for name in names[1:])
         held = np.arange(len(sines)) * 7919 % HELD == 3
-        every = cls(sines, np.maximum(rest, 0.0) + np.float32(DARK), single, held, LayerOptics(*numbers))
+        air = LayerOptics(*numbers)
+        unit = typical(LayerOptics(*(part[:, None] for part in air)), sines).astype(np.float32)
+        every = cls(sines, (np.maximum(rest, 0.0) + np.float32(DARK)) / unit, single / unit, held, air)
         return every.chosen(every.air.albedo > LEAST_ALBEDO)
 
     def chosen(self, which: np.ndarray) -> Self:

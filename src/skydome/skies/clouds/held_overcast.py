@@ -6,7 +6,8 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.skies.all_air.rest import RestNetwork, mixed
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.layer_light import once
-from skydome.skies.clouds.layer_optics import DARK, LayerOptics, features
+from skydome.skies.clouds.layer_optics import LayerOptics
+from skydome.skies.clouds.two_streams import features, light_of
 from skydome.skies.physical.held import TERMS, HeldSky, mixture, node_cosines, series_of
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import SunlitSky
@@ -22,8 +23,8 @@ def held_overcast(
     height, view = np.maximum(sun[2], 0.0), node_cosines(sun)[0][:, 0]
     shapes = network.at_nodes(np.cos(np.linspace(0, np.pi, TERMS + 1)))
     coefficients = network.coefficients(features(numbers, height), height)
-    rest = np.exp(mixed(coefficients, shapes.reshape(-1, shapes.shape[-1])))
-    rest = np.maximum(rest.reshape(*shapes.shape[:2], -1) - DARK, 0.0)
+    rest = light_of(mixed(coefficients, shapes.reshape(-1, shapes.shape[-1])), numbers, height)
+    rest = rest.reshape(*shapes.shape[:2], -1)
     alike = np.repeat(once(numbers, cloud.profile.mean_height, view, height)[:, None], 2, axis=1)
     none = np.zeros((1, *alike.shape))  # molecules' and ozone's are in the rest
     single = np.concatenate([none, none, mixture(cloud.phase_law, NODES)[:, None, None] * alike])

@@ -1,9 +1,9 @@
 """What a layer of cloud scatters once toward the ground, per phase function, in closed form."""
 
-from skydome.air.optical_mass import kasten_young
 from skydome.ground.arrays import Array, at_least, namespace, safe_sqrt
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.clouds.layer_optics import LayerOptics
+from skydome.skies.clouds.two_streams import air_mass
 
 LEAST = 0.02
 """Least cosine to the vertical in the cloud."""
@@ -27,8 +27,7 @@ def once(air: LayerOptics, height: float, view: Array, sun: Array) -> Array:
 def beam(air: LayerOptics, sun: Array, cloud: Array) -> Array:
     """What the clear air above, and a depth of `cloud` (..., W), leave of the sun's beam, (..., W)."""
     xp = namespace(sun, *air)
-    mass = kasten_young(xp.acos(xp.where(sun < 1, sun, xp.ones_like(sun))))[..., None]
-    return xp.exp(-mass * (air.above + air.ozone) - cloud / at_least(sun, LEAST)[..., None])
+    return xp.exp(-air_mass(sun)[..., None] * (air.above + air.ozone) - cloud / at_least(sun, LEAST)[..., None])
 
 
 def up_there(cosine: Array, height: float) -> Array:

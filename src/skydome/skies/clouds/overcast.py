@@ -23,8 +23,9 @@ from skydome.skies.all_air.rest import RestNetwork, cosine_of_turn, mixed
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.held_overcast import held_overcast
 from skydome.skies.clouds.layer_light import beam, once
-from skydome.skies.clouds.layer_optics import DARK, TAUGHT, LayerOptics, features, layer_optics, require_taught
+from skydome.skies.clouds.layer_optics import TAUGHT, LayerOptics, layer_optics, require_taught
 from skydome.skies.clouds.overcast_files import load_overcast, shipped_overcast
+from skydome.skies.clouds.two_streams import features, light_of
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import Sky, SunlitSky
@@ -212,7 +213,7 @@ class OvercastSky(SunlitSky, SpectralSky):
         xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], 0.0)
         shapes = self.taught.at(view, cosine_of_turn(sun, views))
         coefficients = self.taught.coefficients(features(numbers, height), height)
-        rest = at_least(xp.exp(mixed(coefficients, shapes)) - DARK, 0.0)
+        rest = light_of(mixed(coefficients, shapes), numbers, height)
         angle = limited(xp.sum(sun * views, axis=-1), -1.0, 1.0)
         phase = self.cloud.phase_law.value(angle, wavelengths)
         return rest + once(numbers, self.cloud.profile.mean_height, view, height) * phase

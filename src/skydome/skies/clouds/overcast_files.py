@@ -8,7 +8,7 @@ from skydome.ground.data import DATA
 from skydome.skies.all_air.rest import RestNetwork
 from skydome.skies.all_air.rest_files import load_networks, save_networks
 
-FORMAT, NAME = "skydome overcast 1", "overcast"
+FORMAT, NAME = "skydome overcast 2", "overcast"
 
 
 def load_overcast(path: str | PathLike[str]) -> RestNetwork:
