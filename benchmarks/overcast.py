@@ -8,6 +8,7 @@ import argparse
 import time
 import warnings
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -53,6 +54,23 @@ def errors(layers: list[RandomLayer]) -> np.ndarray:
     return np.sqrt(found)
 
 
+def regions(layers: list[RandomLayer], off: np.ndarray) -> None:
+    """Rms error by wavelength, by the sun's height, by depth and by kind."""
+    waves, suns = (np.array([getattr(layer, name) for layer in layers]) for name in ("wavelength", "elevation"))
+    depths = np.array([layer.cloud.optical_depth for layer in layers])
+    ice = np.array([isinstance(layer.cloud.kind, sd.Ice) for layer in layers])
+    rows = {"suns from 1 degree up, 350-1300 nm": (suns >= 1) & (waves >= 350) & (waves <= 1300)}
+    for name, values, edges in (
+        ("nm", waves, (320, 350, 800, 1300, 1800)),
+        ("degrees of sun", suns, (0, 1, 5, 20, 90)),
+        ("of depth", depths, (1, 3, 10, 60)),
+    ):
+        for low, high in pairwise(edges):
+            rows[f"{low}-{high} {name}"] = (values >= low) & (values < high)
+    for name, which in (rows | {"water": ~ice, "ice": ice}).items():
+        print(f"{name}: {np.sqrt((off[which] ** 2).mean()):.4f} rms of {which.sum()}")
+
+
 def gradation() -> None:
     """Horizon (3 degrees, mean of all azimuths) over zenith."""
     low = sd.direction(AZIMUTHS, np.radians(3.0))
@@ -90,8 +108,7 @@ def main() -> None:
         print(
             f"{name}: {rms:.4f} rms, median {np.median(column):.4f}, a tenth over {high:.4f}, worst {column.max():.3f}"
         )
-    usual = np.array([layer.elevation >= 1 and 350 <= layer.wavelength <= 1300 for layer in layers])
-    print(f"suns from 1 degree up, 350-1300 nm: {np.sqrt((each[usual, 0] ** 2).mean()):.4f} rms of {usual.sum()}")
+    regions(layers, each[:, 0])
     for k in np.argsort(each[:, 0])[-5:]:
         layer = layers[k]
         about = f"depth {layer.cloud.optical_depth:.1f}, sun {layer.elevation:.1f}, {layer.wavelength:.0f} nm"

@@ -283,7 +283,7 @@ def test_light_under_an_overcast_is_that_of_discrete_ordinates(elevation, depth)
     wanted = float(sd.illuminance(sd.DiscreteOrdinates(sun, clouded, streams=16)))
     sky = sd.PhysicalSky(sun, air)
     found = sum(float(sd.illuminance(under(part, sd.Cloud(depth), air))) for part in (sky, sd.SunDisc.of(sky)))
-    assert found == pytest.approx(wanted, rel=0.07)
+    assert found == pytest.approx(wanted, rel=0.045)
 
 
 def test_clouds_by_day_and_night():
@@ -295,10 +295,18 @@ def test_clouds_by_day_and_night():
     night = sd.sky_at(PLACE, FULL, clouds=20.0)
     assert night.names[:3] == ("moonlight", "moon", "planets")
     assert any("overcast of optical depth 20" in note for note in night.notes)
-    assert float(night.luminance(sd.ZENITH)) == pytest.approx(3 * float(night.luminance(sd.EAST)), rel=1e-6)
+    low = sd.direction(0.0, 0.05)
+    day = sd.OvercastSky(sd.direction(np.arange(0.0, 6.0, 0.5), 0.7), 20.0)
+    darker = (day.luminance(low) / day.luminance(sd.ZENITH)).mean()  # the sun's azimuth taken out
+    assert float(night.luminance(low) / night.luminance(sd.ZENITH)) == pytest.approx(darker, rel=0.02)
     evening = sd.light_at(PLACE, [MOONLESS, FULL], clouds=20.0)
     np.testing.assert_allclose(evening.total[1], float(sd.illuminance(night)), rtol=5e-3)
-    for wrong, words in ((1.0, r"must lie in \[5"), (-1.0, r"must lie in \[5"), ("thick", "must be of kind")):
+    for wrong, words in (
+        (1.0, r"must lie in \[5"),
+        (61.0, r"must lie in \[5, 60\]"),
+        (-1.0, r"must lie in \[5"),
+        ("thick", "must be of kind"),
+    ):
         with pytest.raises((ValueError, TypeError), match=words):
             sd.sky_at(PLACE, FULL, clouds=wrong)
     with pytest.raises(ValueError, match="must not be given together"):

@@ -8,8 +8,8 @@ from skydome.own_air.clouds.lessons import OvercastLessons
 from skydome.own_air.clouds.polishing import polished
 from skydome.skies.clouds.overcast_files import save_overcast
 
-OVERCAST = Course(0.0, 90.0, shapes=24, tamed=0.1, mean_shapes=5, width=64, steps=16_000, terms=9)
-POLISHING = 1200
+OVERCAST = Course(0.0, 90.0, shapes=24, tamed=0.1, mean_shapes=5, width=72, steps=16_000, terms=9)
+POLISHING = 750
 """Steps over all cases, after the course's over some."""
 
 

@@ -12,6 +12,7 @@ from skydome.air.clouds.cloud import Cloud
 from skydome.air.clouds.particles import CloudParticles, Water
 from skydome.air.constituents import Molecules, Ozone
 from skydome.air.cross_sections import STANDARD_PRESSURE
+from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import broadcast_shape
 from skydome.ground.arrays import Array, at_least, constant, floating, is_numpy, limited, namespace
 from skydome.ground.directions import checked_directions
@@ -208,12 +209,14 @@ class OvercastSky(SunlitSky, SpectralSky):
             light[block] = self.light(part_of(sun, block), part_of(views, block), some, wavelengths)
         return light
 
-    def light(self, sun: Array, views: Array, numbers: LayerOptics, wavelengths: np.ndarray) -> Array:
-        """Light for a sun of irradiance 1, sr-1, (..., W)."""
+    def light(
+        self, sun: Array, views: Array, numbers: LayerOptics, wavelengths: np.ndarray, law: PhaseLaw | None = None
+    ) -> Array:
+        """Light for a sun of irradiance 1, sr-1, (..., W); the cloud's own phase `law`, or another."""
         xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], 0.0)
         shapes = self.taught.at(view, cosine_of_turn(sun, views))
         coefficients = self.taught.coefficients(features(numbers, height), height)
         rest = light_of(mixed(coefficients, shapes), numbers, height)
         angle = limited(xp.sum(sun * views, axis=-1), -1.0, 1.0)
-        phase = self.cloud.phase_law.value(angle, wavelengths)
+        phase = (law or self.cloud.phase_law).value(angle, wavelengths)
         return rest + once(numbers, self.cloud.profile.mean_height, view, height) * phase

@@ -9,6 +9,7 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.clouds.cloud import Cloud
+from skydome.air.constituents import Constituent
 from skydome.ground.arguments import require_kind
 from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.ground.quadrature import hemisphere
@@ -61,10 +62,23 @@ def cloud_of(given: Any) -> Cloud | None:
 
 
 def under(sky: SpectralSky, cloud: Cloud, air: Atmosphere) -> UnderCloud:
-    """What a cloud leaves of a sky, its light thrown to and fro between cloud and ground."""
+    """What a cloud leaves of a sky, its light thrown to and fro between cloud and ground, and cloud and air above."""
     ground = tuple(np.broadcast_to(np.asarray(air.albedo_at(BANDS), np.float64), BANDS.shape))
     layer = passing(float(cloud.optical_depth), cloud.kind, cloud.radius, ground, tuple(BANDS))
-    return UnderCloud(air, known=layer.radiance(coming(sky)))
+    again = 1 / (1 - layer.mirrored * own_albedo(air))
+    return UnderCloud(air, known=layer.radiance(coming(sky)) * again)
+
+
+def own_albedo(air: Atmosphere) -> np.ndarray:
+    """Share of light from below that the air alone sends back at `BANDS`, (W,), by two streams."""
+    deep = 0.75 * sum(np.asarray(depth_turned(part)) for part in air.constituents)
+    return np.asarray(deep / (1 + deep))
+
+
+def depth_turned(part: Constituent) -> np.ndarray:
+    """Depth of a constituent by similarity, scattering made even, at `BANDS`, (W,)."""
+    seen = np.asarray(part.depth(BANDS)) * np.asarray(part.scattered(BANDS))
+    return np.asarray(seen * (1 - np.asarray(part.phase_law.mean_cosine(BANDS))))
 
 
 @singledispatch
