@@ -16,10 +16,11 @@ import skydome as sd
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.layer_light import LEAST
-from skydome.skies.clouds.layer_optics import DARK, LayerOptics, layer_optics
+from skydome.skies.clouds.layer_optics import LayerOptics, layer_optics
 from skydome.skies.clouds.model import KINDS
 from skydome.skies.clouds.overcast import OvercastSky
 from skydome.skies.clouds.overcast_files import shipped_overcast
+from skydome.skies.clouds.two_streams import DARK, DIFFUSE, OZONE_HEIGHT, TO_THE_CLOUD
 from skydome.skies.physical.cosine_series import LEAST_COSINE
 from skydome.skies.physical.sky_colours import SkyColours
 
@@ -73,6 +74,7 @@ def table() -> dict[str, Any]:
         "shapes": half(network.shapes),
         "places": plain(network.places),
         "dark": DARK,
+        "streams": {"ozoneHeight": OZONE_HEIGHT, "diffuse": DIFFUSE, "toTheCloud": TO_THE_CLOUD},
         "least": LEAST,
         "leastCosine": LEAST_COSINE,
         "earth": EARTH_RADIUS,

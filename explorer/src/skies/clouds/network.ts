@@ -4,6 +4,7 @@ import table from "../../data/overcast.json";
 import { halves } from "../../core/half";
 import { DEG, limited } from "../../core/vector";
 import { WAVES, type Optics } from "./optics";
+import { streamsOf, type Streams } from "./streams";
 
 const [SHAPES, NODES, TERMS] = table.shapes.shape;
 export { NODES };
@@ -12,30 +13,30 @@ export { NODES };
 const placeOf = (degrees: number): number => Math.asinh((degrees + 4) / 8);
 
 /** What the network reads at wavelength number w, the sun's elevation by its sine. */
-function features(air: Optics, sine: number, w: number): number[] {
+function features(air: Optics, sine: number, w: number, two: Streams): number[] {
   const { exp, log, sqrt } = Math;
   const above = (sine + sqrt(sine * sine + 0.01)) / 2;
   const path = 1 / (above + 0.05);
   const [m, n, o, tau] = [air.above[w], air.below[w], air.ozone[w], air.cloud[w]];
   const [a, g, f, { ground }] = [air.albedo[w], air.asymmetry[w], air.peak[w], air];
-  const [turned, lost, scaled] = [tau * (1 - a * g), tau * (1 - a), tau * (1 - a * f)];
-  const dying = sqrt(Math.max(0, 3 * lost * turned));
-  const mirror = (0.75 * turned) / (1 + 0.75 * turned);
+  const { turned, dying, mirror, mass, high, coming, through, typical } = two;
+  const [lost, scaled] = [tau * (1 - a), tau * (1 - a * f)];
   const degrees = Math.asin(sine) / DEG;
   return [
     m, n, o, a, g, f, ground, mirror, dying, lost, exp(-0.3 * path * scaled), exp(-0.3 * scaled),
     log(tau), log(turned), log(1 + 0.75 * turned), log(1 + dying), log(1 + lost),
     log(m + 0.01), log(n + 0.01), ground * mirror, log(1.02 - ground * mirror), ground * n,
     path * m, path * o, exp(-path * m), exp(-path * o), log(1 + path * turned),
+    mass * m, high * o, exp(-mass * m), exp(-high * o), log(coming + table.dark), log(through + table.dark), log(typical),
     placeOf(degrees), sine, exp(-(((degrees + 2) / 5) ** 2)), exp(-(((degrees - 3) / 6) ** 2)), path,
   ];
 }
 
 /** How much of each shape: Chebyshev polynomials of the sun's place for the first, the network's for the others. */
-function coefficients(air: Optics, sine: number, w: number): number[] {
+function coefficients(air: Optics, sine: number, w: number, two: Streams): number[] {
   const [low, high] = table.places;
   const x = limited((2 * placeOf(Math.asin(sine) / DEG) - low - high) / (high - low), -1, 1);
-  let found = features(air, sine, w);
+  let found = features(air, sine, w, two);
   table.layers.forEach(({ weights, biases }, number) => {
     const [matrix, [inputs, outputs]] = [halves(weights), weights.shape];
     const next = Float64Array.from(halves(biases));
@@ -71,12 +72,13 @@ export function restOf(air: Optics, sine: number, turns: number): Float32Array {
   const log = new Float64Array(count);
   for (let w = 0; w < WAVES; w++) {
     log.fill(0);
-    coefficients(air, sine, w).forEach((amount, s) => {
+    const two = streamsOf(air, sine, w);
+    coefficients(air, sine, w, two).forEach((amount, s) => {
       for (let n = 0; n < count; n++) log[n] += amount * shapes[s * count + n];
     });
     const colour = table.colours[w];
     for (let n = 0; n < count; n++) {
-      const radiance = Math.max(0, Math.exp(log[n]) - table.dark);
+      const radiance = Math.max(0, Math.exp(log[n]) * two.typical - table.dark);
       for (let c = 0; c < 3; c++) light[c * count + n] += radiance * colour[c];
     }
   }

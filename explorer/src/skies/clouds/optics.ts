@@ -29,7 +29,7 @@ export function opticsOf(kind: Kind, depth: number, ground: number): Optics {
 }
 
 /** Optical mass by Kasten and Young 1989, eq. 3, from the sine of the elevation. */
-function mass(sine: number): number {
+export function mass(sine: number): number {
   const zenith = Math.acos(Math.min(1, Math.max(0, sine)));
   return 1 / (Math.cos(zenith) + 0.50572 * (96.07995 - (zenith * 180) / Math.PI) ** -1.6364);
 }
