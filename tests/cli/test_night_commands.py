@@ -84,6 +84,9 @@ def test_a_night_under_an_overcast(facts, refused):
     wanted = sd.sky_at(sd.Place(45.0, 8.0), "2026-01-03T22:00Z", clouds=20.0)
     assert under["illuminance_lx"]["global"] == pytest.approx(float(sd.illuminance(wanted)), rel=0.05)  # no haze
     assert under["zenith_luminance_cd_m2"] == pytest.approx(under["illuminance_lx"]["global"] * 9 / 7 / np.pi, rel=0.01)
+    shown = facts("light", "--place", "45,8", "--time", "2026-01-18T22:00Z")
+    assert 21.2 < shown["zenith_v_mag_arcsec2"] < 21.6
+    assert "zenith_v_mag_arcsec2" not in facts("light", "--sun", "180,30")
     assert "for a night under cloud: --model overcast" in refused(*night, "--clouds", "cumulus")
     assert "must lie in [5, 10000], got 2" in refused(*night, "--model", "overcast", "--cloud-depth", "2")
 

@@ -29,6 +29,7 @@ def light_facts(scene: Scene) -> dict[str, Any]:
         "valid": bool(scene.sky.valid),
         "outside_ranges": outside_ranges(scene.whole),
         "zenith_luminance_cd_m2": float(zenith[1]),
+        **night_facts(scene),
         "illuminance_lx": {
             "diffuse": float(diffuse[1]),
             "direct": float(direct[1]),
@@ -40,6 +41,15 @@ def light_facts(scene: Scene) -> dict[str, Any]:
         "duv": {name: float(sd.duv(xyz)) for name, xyz in colours.items()},
         "notes": list(scene.notes),
     }
+
+
+def night_facts(scene: Scene) -> dict[str, Any]:
+    """The zenith's magnitude of every light of a night together, stars apart."""
+    import skydome as sd
+
+    if scene.moment is None or scene.moment.elevation > -18 or not isinstance(scene.sky, sd.WholeSky):
+        return {}
+    return {"zenith_v_mag_arcsec2": float(sd.v_magnitude(scene.sky, sd.ZENITH))}
 
 
 def energy_facts(scene: Scene) -> dict[str, Any]:
@@ -93,7 +103,7 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         rows["place"] = place_text(**facts["place"])
         rows["time"] = facts["time"]
     rows |= sky_rows(facts) | {
-        "zenith luminance": f"{amount(facts['zenith_luminance_cd_m2'])} cd m-2",
+        "zenith luminance": f"{amount(facts['zenith_luminance_cd_m2'])} cd m-2" + in_v(facts),
         "diffuse horizontal": f"{amount(light['diffuse'])} lx",
         "direct horizontal": f"{amount(light['direct'])} lx ({amount(light['direct_normal'])} lx facing the sun)",
         "global horizontal": f"{amount(light['global'])} lx",
@@ -103,6 +113,12 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         ),
     }
     return rows | notes_row(facts["notes"])
+
+
+def in_v(facts: dict[str, Any]) -> str:
+    """A night's zenith as astronomers have it, for people; nothing by day."""
+    known = facts.get("zenith_v_mag_arcsec2")
+    return "" if known is None else f", {known:.2f} mag arcsec-2 in V"
 
 
 def energy_rows(facts: dict[str, Any]) -> dict[str, str]:

@@ -6,7 +6,7 @@ from typer import Option
 
 from skydome.cli.doors import progress
 from skydome.cli.moment import pointing
-from skydome.cli.numbers_of_light import light_facts, light_rows
+from skydome.cli.numbers_of_light import amount, light_facts, light_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import scene_of
@@ -30,5 +30,5 @@ def light(
         rows = light_rows(facts)
         if facing is not None:
             facts["illuminance_lx"]["plane"] = value = float(sd.illuminance(scene.whole, facing))
-            rows[f"plane facing {normal}"] = f"{value:,.0f} lx"
+            rows[f"plane facing {normal}"] = f"{amount(value)} lx"
     show(facts, rows, as_json)
