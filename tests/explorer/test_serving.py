@@ -79,5 +79,8 @@ def test_skies_have_addresses():
     assert told.endswith("&albedo=0.3&turbidity=4.0907&aerosol=urban&ozone=300")
     letters = sd.Perez(sun, -0.9, -0.2, 6.0, -3.5, 0.3, illuminance=9000.0)
     assert address_of(letters).endswith("&letters=-0.9,-0.2,6,-3.5,0.3&lux=9000")
+    assert address_of(sd.OvercastSky(sun, 12.0, 0.3, kind=sd.Ice())) == (
+        "?v=1&model=overcast&sun=200,40&albedo=0.3&depth=12&particles=ice"
+    )
     with pytest.raises(TypeError, match="skydome models"):
         address_of(sd.blend(sky, sd.Uniform(1.0), 0.5))

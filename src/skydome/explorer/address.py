@@ -89,7 +89,7 @@ def address_of(sky: Sky) -> str:
         told["sun"] = f"{plain(azimuth(sun) / deg)},{plain(elevation(sun) / deg)}"
     for name, key in KEYS.items():
         value = getattr(inner, name, None)
-        if value is not None and np.ndim(value) == 0:
+        if np.asarray(value).dtype.kind in "fiu" and np.ndim(value) == 0:
             told[key] = plain(value)
     if isinstance(inner, Perez) and inner.illuminance is not None:
         told["letters"] = ",".join(plain(letter) for letter in (inner.a, inner.b, inner.c, inner.d, inner.e))

@@ -64,3 +64,16 @@ def test_a_map_elsewhere_is_named_from_the_scene(sky, tmp_path):
     scene = sd.save_scene(sky.whole, tmp_path / "sky.usda", height=32, map_path=tmp_path / "maps" / "noon.exr")
     assert scene.map_name == "maps/noon.exr"
     assert "@./maps/noon.exr@" in (tmp_path / "sky.usda").read_text()
+
+
+def test_at_night_the_lamp_is_the_moon_and_says_so(tmp_path):
+    night = sd.sky_at(sd.Place(50.0, 8.0), "2026-01-03T22:00Z").without(
+        "planets", "stars", "starlight", "zodiacal light"
+    )
+    scene = sd.save_scene(night, tmp_path / "moon.xml", height=16)
+    assert scene.lamp is not None
+    assert scene.lamp.body == "moon"
+    text = (tmp_path / "moon.xml").read_text()
+    assert "moon: azimuth" in text
+    assert "without the moon" in text
+    assert sd.save_scene(night.without("moon"), tmp_path / "dark.xml", height=16).lamp is None

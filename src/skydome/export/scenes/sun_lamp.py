@@ -17,6 +17,8 @@ from skydome.skies.sky import Sky
 class SunLamp:
     """The sun toward `direction` (3,), its light on a plane that faces it `xyz` (3,), Y in lx, `angular_radius` rad.
 
+    At night the moon: `body` tells which.
+
     >>> lamp = SunLamp(np.array([0.0, 0.6, 0.8]), np.array([95047.0, 100000.0, 108883.0]), 0.00465)
     >>> lamp.illuminance, lamp.rgb().round(-2).tolist(), round(lamp.luminance / 1e9, 2), round(lamp.colour_temperature)
     (100000.0, [100000.0, 100000.0, 100000.0], 1.47, 6503)
@@ -25,6 +27,7 @@ class SunLamp:
     direction: np.ndarray
     xyz: np.ndarray
     angular_radius: float
+    body: str = "sun"
 
     @classmethod
     def of(cls, sky: Sky) -> "SunLamp | None":
@@ -39,7 +42,7 @@ class SunLamp:
         if not light[1] > 0:
             return None
         toward = np.asarray(as_numpy(disc.sun), np.float64)
-        return cls(toward, light, float(disc.angular_radius))
+        return cls(toward, light, float(disc.angular_radius), "moon" if disc.shines_at_night else "sun")
 
     def rgb(self, space: RGBSpace = SRGB) -> np.ndarray:
         """Linear RGB (3,) of the illuminance facing the sun, lx; colours that the space lacks move toward white."""
