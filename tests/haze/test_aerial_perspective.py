@@ -460,3 +460,15 @@ def test_preethams_light_reaches_as_far_as_table_2():
     disc = sd.PreethamSun(SUN, 4.0)
     own = disc.irradiance([770.0, 780.0]) / sd.ClearAir(4.0).irradiance(SUN, [770.0, 780.0])
     np.testing.assert_allclose(own, own[0], rtol=1e-9)
+
+
+def test_a_cloud_above_is_no_part_of_the_air_below_and_one_on_the_ground_is_refused():
+    sun, clear = sd.direction(0.0, 0.7), sd.Atmosphere.standard()
+    found = []
+    for more in ((), (sd.Cloud(10.0, base=1000.0),)):
+        sky = sd.DiscreteOrdinates(sun, sd.Atmosphere((*clear.constituents, *more)), streams=8)
+        found.append(np.asarray(sd.aerial_perspective(sky, 5000.0, sd.NORTH).transmittance))
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-12)
+    fog = sd.DiscreteOrdinates(sun, sd.Atmosphere((*clear.constituents, sd.Cloud(10.0, base=0.0))), streams=8)
+    with pytest.raises(ValueError, match="on the ground; LayeredFog is fog"):
+        sd.aerial_perspective(fog, 5000.0, sd.NORTH)

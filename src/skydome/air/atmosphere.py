@@ -205,7 +205,8 @@ class Atmosphere(NamedAirs, HeldBySky):
     def require_no_layers(self, who: str) -> None:
         """ValueError where `who`, that knows smooth air alone, is given layers."""
         if self.has_layers:
-            raise ValueError(f"{who} takes no layers such as a Cloud in its air; OvercastSky and DiscreteOrdinates do")
+            takers = "OvercastSky, DiscreteOrdinates and sky_at(clouds=...) do"
+            raise ValueError(f"{who} takes no layers such as a Cloud in its air; {takers}")
 
     @property
     def is_one(self) -> bool:

@@ -101,7 +101,10 @@ class TurbidAir(GroundAir):
 
 @dataclass(frozen=True, eq=False)
 class AtmosphereAir(GroundAir):
-    """The air at the ground of an `atmosphere`: its molecules and low aerosols; what only absorbs lies higher."""
+    """The air at the ground of an `atmosphere`: its molecules and low aerosols; what only absorbs lies higher.
+
+    A layer of cloud above the ground is no part of it: rays are taken to stay below.
+    """
 
     atmosphere: Atmosphere
 
@@ -110,6 +113,8 @@ class AtmosphereAir(GroundAir):
         shapes = [np.shape(part.depth([550.0])) for part in self.atmosphere.constituents]
         if any(len(shape) > 1 for shape in shapes):
             raise ValueError(f"aerial perspective needs air of single numbers, got shape {max(shapes, key=len)[:-1]}")
+        if any(0.0 in part.profile.edges for part in self.atmosphere.constituents):
+            raise ValueError("aerial perspective takes no layer such as a Cloud on the ground; LayeredFog is fog")
 
     @cached_property
     def haze(self) -> list[Constituent]:

@@ -311,3 +311,7 @@ def test_clouds_by_day_and_night():
             sd.sky_at(PLACE, FULL, clouds=wrong)
     with pytest.raises(ValueError, match="must not be given together"):
         sd.sky_at(PLACE, FULL, clouds=20.0, glow=sd.SkyGlow())
+    layered = sd.Atmosphere((*sd.clear_air().constituents, sd.Cloud(20.0)))
+    for time in (MOONLESS, FULL):
+        with pytest.raises(ValueError, match=r"takes no layers such as a Cloud in its air; .* sky_at\(clouds=...\) do"):
+            sd.sky_at(PLACE, time, layered)

@@ -26,6 +26,9 @@ class Air:
 
     atmosphere: Atmosphere
 
+    def __post_init__(self) -> None:
+        self.atmosphere.require_no_layers("light of the heavens")
+
     @property
     def tables(self) -> ColumnTables:
         """Columns of the air, and how it bends light."""
