@@ -32,6 +32,7 @@ CASES = {
     "ground": ((*DAY, "--ground", "green"), ("black", "green")),
     "model": ((*DAY, "--model", "preethan"), ("perhaps preetham", "cie-1 ... cie-15")),
     "target": ((*DAY, "--target", "maya"), ("blender", "pbrt", "maya")),
+    "exposure": ((*DAY, "--exposure=-99EV"), ("-30.2EV to 49.6EV", "-99EV")),
     "space": ((*DAY, "--space", "p3"), ("srgb", "p3")),
     "height": ((*DAY, "--height", "63"), ("multiple of 2", "63")),
     "height of a cube map": ((*DAY, "--target", "cube", "--height", "64"), ("multiple of 6", "64")),

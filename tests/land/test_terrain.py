@@ -362,7 +362,10 @@ def test_command(tmp_path):
     for wrong, message in (
         (["-o", str(tmp_path / "p.jpg")], "must end in .png or .exr"),
         (["-o", str(tmp_path / "q.png"), "--camera", "0,0,-3"], "above_ground must lie in"),
-        (["-o", str(tmp_path / "q.png"), "--exposure", "0"], "an exposure must be finite and more than 0"),
+        (
+            ["-o", str(tmp_path / "q.png"), "--exposure", "0"],
+            "an exposure must lie in [1e-15, 1e+09] per cd m-2",
+        ),
         (["-o", str(tmp_path / "q.png"), "--size", "40.5,30"], "--size must be two whole numbers"),
     ):
         failed = CliRunner().invoke(app, [*usual, *small, *wrong])

@@ -17,10 +17,18 @@ EVERY = 10.0  # s between lines where stderr is no terminal
 LISTEN, PATIENCE = 0.2, 2.0  # s between looks at the compiler, and after which it is told of
 
 
-def require_output(path: Path | None, what: str, endings: Sequence[str] = (), read: Path | None = None) -> None:
+def require_output(
+    path: Path | None,
+    what: str,
+    endings: Sequence[str] = (),
+    read: Path | None = None,
+    overwrite: bool = False,
+    goes_on: bool = False,
+) -> None:
     """ValueError or OSError, before any work, for a file that could not be written in the end. None: none is asked for.
 
-    Nor may it be the file that is `read`, which would be lost.
+    Nor may it be the file that is `read`, which would be lost. A store (.zarr) must not be there yet, but where a year
+    is to be overwritten or the work `goes_on` in the store.
 
     >>> require_output(Path("sky.jpg"), "a map's file", (".exr", ".hdr"))
     Traceback (most recent call last):
@@ -36,8 +44,13 @@ def require_output(path: Path | None, what: str, endings: Sequence[str] = (), re
         raise ValueError(f"{what} must end in {allowed}, got {path.name!r}")
     if read is not None and path.exists() and read.exists() and path.samefile(read):
         raise ValueError(f"{what} must be another file than the one that is read, got {str(path)!r}")
-    require_place(path, folder=path.suffix.lower() == STORE)
+    is_store = path.suffix.lower() == STORE
+    require_place(path, folder=is_store)
     sweep(path)
+    if is_store and not goes_on:
+        from skydome.years.stores.stores import require_free
+
+        require_free(path, overwrite)
 
 
 def refuse_idle(given: Mapping[str, Any], plain: Mapping[str, Any], why: str) -> None:
@@ -52,10 +65,8 @@ def refuse_idle(given: Mapping[str, Any], plain: Mapping[str, Any], why: str) ->
             raise ValueError(f"--{name.replace('_', '-')} changes nothing {why}")
 
 
-def require_picture(path: Path | None, exposure: float | None) -> None:
+def require_picture(path: Path | None) -> None:
     """The same for a picture, which is developed with an exposure, or linear."""
-    if exposure is not None and not 0 < exposure < float("inf"):
-        raise ValueError(f"--exposure must be finite and more than 0, got {exposure:g}")
     require_output(path, "a picture's file", PICTURES)
 
 

@@ -28,9 +28,20 @@ def exposure_from(text: str) -> float:
         factor = 1 / (1.2 * 2.0 ** float(value[:-2])) if value.endswith("ev") else float(value)
     except (ValueError, OverflowError):
         raise ValueError(f"an exposure is a factor per cd m-2 such as 2.5e-5, or 15EV; got {text!r}") from None
-    if not 0 < factor < float("inf"):
-        raise ValueError(f"an exposure must be finite and more than 0, got {text}")
+    from skydome.ground.limits.ranges import inside
+    from skydome.light.tone import EXPOSURE
+
+    if not inside(factor, EXPOSURE):
+        raise ValueError(f"an exposure must lie in {EXPOSURE}, which is {exposure_range()}, got {text}")
     return factor
+
+
+def exposure_range() -> str:
+    """What exposures may be, in a photographer's values."""
+    from skydome.light.tone import EXPOSURE
+
+    low, high = (exposure_value(end) for end in (EXPOSURE.high, EXPOSURE.low))
+    return f"{low:.1f}EV to {high:.1f}EV"
 
 
 def exposure_value(factor: float) -> float:

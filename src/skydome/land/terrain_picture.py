@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from skydome.ground import exr, png
+from skydome.ground.limits.ranges import require
 from skydome.light.colour import SRGB, encode_srgb
-from skydome.light.tone import Curve, Filmic, auto_exposure, tone_mapped
+from skydome.light.tone import EXPOSURE, Curve, Filmic, auto_exposure, tone_mapped
 from skydome.maps.files import light_unit
 
 
@@ -29,6 +30,8 @@ class TerrainPicture:
 
     def encoded(self, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:
         """sRGB values (H, W, 3) in 0..1 for the screen."""
+        if exposure is not None:
+            require("exposure", exposure, EXPOSURE)
         factor = self.exposure() if exposure is None else exposure
         encoded: np.ndarray = encode_srgb(tone_mapped(np.maximum(self.rgb, 0.0) * factor, curve or Filmic()))
         return encoded

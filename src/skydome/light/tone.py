@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike
 from skydome.ground.limits.ranges import Bounded, Range
 
 MIDDLE_GREY = 0.18
+EXPOSURE = Range(1e-15, 1e9, "per cd m-2")
+"""From beyond all light, 50 EV, to far below the darkest night, -30 EV."""
 BLEACH = 4.0  # peak value at which a colour has lost a quarter of its saturation
 
 

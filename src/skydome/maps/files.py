@@ -1,6 +1,5 @@
 """Maps to files: which layout, which scale, and what the header says about the light, the place and the time."""
 
-import math
 from collections.abc import Iterator, Mapping
 from datetime import datetime
 from os import PathLike
@@ -15,7 +14,7 @@ from skydome.ground.files import exr_rows
 from skydome.ground.limits.ranges import Range, require
 from skydome.ground.units import RADIANCE_EFFICACY
 from skydome.light.colour import SRGB, RGBSpace
-from skydome.light.tone import Curve
+from skydome.light.tone import EXPOSURE, Curve
 from skydome.maps.by_rows.light_in_file import Gamut, LightInFile, Report, watched
 from skydome.maps.by_rows.map_rows import MapRows
 from skydome.maps.equirectangular import Equirectangular
@@ -125,16 +124,14 @@ def require_choices(
         raise ValueError(f"half floats exist in .exr alone, got {name!r}")
     if gamut not in get_args(Gamut):
         raise ValueError(f"gamut must be one of {', '.join(get_args(Gamut))}, got {gamut!r}")
-    for what, value, allowed in (
-        ("white luminance", white_luminance, (".exr", ".hdr")),
-        ("exposure", exposure, (".png",)),
+    for what, value, allowed, interval in (
+        ("white luminance", white_luminance, (".exr", ".hdr"), WHITE_IN_FILE),
+        ("exposure", exposure, (".png",), EXPOSURE),
     ):
         if value is not None and suffix not in allowed:
             raise ValueError(f"{what} goes with {' and '.join(allowed)} alone, got {name!r}")
-        if value is not None and not 0 < value < math.inf:
-            raise ValueError(f"{what} must be finite and more than 0, got {value:g}")
-    if white_luminance is not None:
-        require("white luminance", white_luminance, WHITE_IN_FILE)
+        if value is not None:
+            require(what, value, interval)
 
 
 def save_png(

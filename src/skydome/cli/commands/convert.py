@@ -27,10 +27,14 @@ def convert(
     as_json: AsJson = False,
 ) -> None:
     """Bring a map into another renderer's layout, its light conserved."""
+    from skydome.ground.arguments import require_word
     from skydome.maps.files import layout_of, save
     from skydome.maps.loading import load
+    from skydome.maps.targets import TARGETS
 
     wanted = file.layout(output)
+    if layout is not None:
+        require_word(layout, [known.name for known in TARGETS], "--from")
     picture = load(source, layout)
     rows = picture.height_in(wanted.projection) if height is None else height
     with progress(f"resampling to {rows} rows") as report:

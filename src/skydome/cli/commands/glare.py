@@ -57,7 +57,7 @@ def glare(
     looker = eye_of(age, iris, pupil, spread, seed)
     frame = Camera(azimuth % 360 * deg, elevation * deg, fov * deg, size)
     require_view_of_glare(frame)
-    require_picture(output, exposure)
+    require_picture(output)
     required("scipy", "eye", "glare")
     environment = bright_map(source, target, white)
     with progress("measuring the glare"):

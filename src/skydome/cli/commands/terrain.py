@@ -55,7 +55,7 @@ def terrain(
     from skydome.light.colour import SRGB
     from skydome.skies.catalogue import model_named
 
-    require_picture(output, exposure)
+    require_picture(output)
     required("numba", "terrain", "a terrain picture")
     albedo = np.array(numbers(ground_albedo, 3, "--ground-albedo", "0.11,0.12,0.07"))
     view = camera_of(camera, look, fov, size)

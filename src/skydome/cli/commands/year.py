@@ -69,9 +69,10 @@ def year(
     choices["wavelengths"] = None if wavelengths is None else steps(wavelengths)
     reading = {"label": label, "shift": minutes(shift), "place": None if place is None else Place.parse(place)}
     reading["utc_offset"] = utc_offset
-    require_outputs(output, suns, plot, kinds)
-    check_extras(output, plot)
     sites = is_sites(weather)
+    require_output(output, "-o", tuple(ENDINGS), overwrite=overwrite, goes_on=sites)
+    require_outputs(suns, plot, kinds)
+    check_extras(output, plot)
     if not sites:
         alone: dict[str, Any] = {"weather_folder": weather_folder, "scheduler": scheduler, "workers": workers}
         refuse_idle(alone, dict.fromkeys(alone) | PLAIN, "without a table of sites")
@@ -79,10 +80,6 @@ def year(
     refuse_idle({"ascii": ascii_text and not matrix}, {"ascii": False}, "without -o year.mtx")
     refuse_idle({"sun_in_patch": sun_in_patch and not matrix}, {"sun_in_patch": False}, "without -o year.mtx")
     refuse_idle({"turbidity": turbidity if colour is None else 3.0}, PLAIN, "without --colour")
-    if output is not None and is_store(output) and not sites:
-        from skydome.years.stores.stores import require_free
-
-        require_free(output, overwrite)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if sites:
@@ -109,11 +106,10 @@ def year(
         raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
 
 
-def require_outputs(output: Path | None, suns: Path | None, plot: Path | None, kinds: Path | None) -> None:
+def require_outputs(suns: Path | None, plot: Path | None, kinds: Path | None) -> None:
     """ValueError or OSError, before any work, for files that could not be written in the end."""
     from skydome.figures.skies import FORMATS
 
-    require_output(output, "-o", tuple(ENDINGS))
     require_output(suns, "--suns", (".rad",))
     require_output(plot, "a plot's file", FORMATS)
     require_output(kinds, "--kinds", (".csv",))

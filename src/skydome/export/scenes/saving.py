@@ -12,9 +12,10 @@ from skydome.export.scenes.formats import scene_format
 from skydome.export.scenes.scene import SkyScene
 from skydome.export.scenes.sun_lamp import SunLamp
 from skydome.ground.arguments import require_kind, require_path
-from skydome.ground.limits.ranges import NOT_NEGATIVE, require, require_one
+from skydome.ground.limits.ranges import require, require_one
 from skydome.ground.writing import appearing, require_place
 from skydome.light.colour import SRGB, RGBSpace
+from skydome.light.tone import EXPOSURE
 from skydome.maps.by_rows.light_in_file import Gamut
 from skydome.maps.environment_map import EnvironmentMap
 from skydome.maps.files import file_white, require_choices, space_in_file
@@ -81,10 +82,8 @@ def require_scene(
             f"a scene names its map, which must have none of {UNNAMABLE!r} in its name, got {map_path.name!r}"
         )
     if exposure is not None:
-        require("exposure", exposure, NOT_NEGATIVE)
+        require("exposure", exposure, EXPOSURE)
         require_one("exposure", exposure)
-    if exposure == 0:
-        raise ValueError("exposure must be finite and more than 0 per cd m-2, got 0")
 
 
 def write_scene(

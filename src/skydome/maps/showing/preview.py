@@ -4,10 +4,11 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from skydome.ground.limits.ranges import require
 from skydome.ground.limits.sizes import row_parts
 from skydome.ground.png import in_bytes
 from skydome.light.colour import SRGB, encode_srgb
-from skydome.light.tone import Curve, Filmic, auto_exposure, thinning, tone_mapped
+from skydome.light.tone import EXPOSURE, Curve, Filmic, auto_exposure, thinning, tone_mapped
 from skydome.maps.by_rows.map_rows import MapRows
 from skydome.maps.pixels import MapPixels
 
@@ -21,9 +22,11 @@ def preview(environment: MapPixels, exposure: float | None = None, curve: Curve 
     >>> preview(grey)[0, 0].round(3).tolist()
     [0.553, 0.553, 0.553]
     """
-    return developer(environment, usual_exposure(environment) if exposure is None else exposure, curve)(
-        environment.pixels
-    )
+    if exposure is None:
+        exposure = usual_exposure(environment)
+    else:
+        require("exposure", exposure, EXPOSURE)
+    return developer(environment, exposure, curve)(environment.pixels)
 
 
 def preview_rows(
