@@ -1,7 +1,6 @@
 """Integrals of the dome: what light falls on a plane."""
 
 from collections.abc import Iterator
-from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from skydome.ground.limits.ranges import SHARE, HeldBySky, require, require_one
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import Spectrum
 from skydome.skies.colour_sky import ColourSky, SpectralSky
-from skydome.skies.labelled import outer_labels
+from skydome.skies.labelled import BARE, outer_labels, parameters_of
 from skydome.skies.sky import Sky
 from skydome.skies.suns.point_lights import PointLights
 from skydome.skies.suns.sun_disc import SunDisc
@@ -65,9 +64,11 @@ def own_array(value: Any) -> Any:
 
 def arrays_of(value: Any) -> Iterator[Any]:
     """The floating arrays among a sky's parameters and those of its air."""
+    if isinstance(value, BARE):
+        return
     if isinstance(value, (Sky, HeldBySky)):
-        for item in fields(value):  # type: ignore[arg-type]
-            yield from arrays_of(getattr(value, item.name))
+        for name, _, _ in parameters_of(type(value)):
+            yield from arrays_of(getattr(value, name))
     elif isinstance(value, tuple | list):
         for part in value:
             yield from arrays_of(part)

@@ -1,8 +1,8 @@
 """Light with labels: where a sky's parameters or the directions are labelled (pandas, xarray), its light is too."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import Field, fields, is_dataclass, replace
-from functools import wraps
+from dataclasses import fields, is_dataclass, replace
+from functools import cache, wraps
 from inspect import isfunction, signature
 from typing import Any, ClassVar, NamedTuple, TypeVar, cast
 
@@ -133,21 +133,33 @@ def answered(
     return door.labelled(light, last, name, unit)
 
 
-def directions_of(value: LabelledLight | HeldBySky) -> tuple[str, ...]:
-    """Names of the parameters that are directions: of a sky; its air has none."""
-    return value.directions_held if isinstance(value, LabelledLight) else ()
+BARE = (float, int, str, bytes, type(None))
+"""Kinds of parameters that hold no array."""
 
 
-def parameters_of(value: LabelledLight | HeldBySky) -> tuple[Field[Any], ...]:
-    """The fields of a sky, air or law; none of a law that somebody wrote without a dataclass."""
-    return fields(value) if is_dataclass(value) else ()
+class Parameter(NamedTuple):
+    """A field of a sky, air or law; `core`: how many of its last axes are not labels of the light."""
+
+    name: str
+    core: int
+    given: bool
+
+
+@cache
+def parameters_of(kind: type) -> tuple[Parameter, ...]:
+    """The fields of a class of skies, air or laws; none of a law that somebody wrote without a dataclass."""
+    directions = kind.directions_held if issubclass(kind, LabelledLight) else ()
+    known = fields(kind) if is_dataclass(kind) else ()
+    return tuple(Parameter(item.name, int(item.name in directions), item.init) for item in known)
 
 
 def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
     """The labelled parameters of a sky and its air, and how many of their last axes are not labels of the light."""
+    if isinstance(value, BARE):
+        return
     if isinstance(value, (LabelledLight, HeldBySky)):
-        for item in parameters_of(value):  # not what the sky keeps beside them: it may hold the sky
-            yield from labelled_parts(getattr(value, item.name), int(item.name in directions_of(value)))
+        for name, own, _ in parameters_of(type(value)):  # not what the sky keeps beside them: it may hold the sky
+            yield from labelled_parts(getattr(value, name), own)
     elif isinstance(value, (tuple, list)):
         for part in value:
             yield from labelled_parts(part, core)
@@ -158,10 +170,12 @@ def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
 def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Kind:
     """A sky, or a parameter of one, with `change(array, core)` in place of its arrays; itself where nothing changes."""
     result: Any
+    if isinstance(value, BARE):
+        return value
     if isinstance(value, (LabelledLight, HeldBySky)):
-        held = {item.name: getattr(value, item.name) for item in parameters_of(value) if item.init}
-        new = {name: changed(old, change, int(name in directions_of(value))) for name, old in held.items()}
-        moved = {name: part for name, part in new.items() if part is not held[name]}
+        held = {name: (getattr(value, name), own) for name, own, given in parameters_of(type(value)) if given}
+        new = {name: changed(old, change, own) for name, (old, own) in held.items()}
+        moved = {name: part for name, part in new.items() if part is not held[name][0]}
         return cast(Kind, replace(value, **moved) if moved else value)  # type: ignore[type-var]
     if isinstance(value, (tuple, list)):
         parts = [changed(part, change, core) for part in value]

@@ -126,12 +126,12 @@ MOST_NUMBERS = 64
 
 def plain(value: Any) -> Any:
     """A parameter as JSON can hold it: numbers, strings, lists, nested parameters."""
+    if isinstance(value, (str, int, float, type(None))):
+        return value
     if isinstance(value, Ranged):
         return value.parameters()
     if isinstance(value, (tuple, list)):
         return [plain(item) for item in value] if len(value) <= MOST_NUMBERS else f"{len(value)} numbers"
-    if value is None or isinstance(value, str | int | float | bool):
-        return value
     if isinstance(value, Enum):
         return value.name.lower()
     if isinstance(value, PathLike):

@@ -7,7 +7,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.gases import Gases
 from skydome.air.phase_laws import PhaseLaw
-from skydome.ground.arrays import Array, is_numpy, limited
+from skydome.ground.arrays import Array, limited
 from skydome.skies.all_air.blocks import Block, part_of
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import held_depths
@@ -84,10 +84,3 @@ class LitAir(NamedTuple):
             return Orders(first)
         more = self.of_depths(self.low.thicker(self.depths), tables, *cosines, once)
         return self.low.beyond(first, more, glow, laws, self.wavelengths)
-
-
-def is_one(air: Atmosphere, like: Array) -> bool:
-    """Whether an atmosphere's numbers are single ones, and like the array those of NumPy."""
-    gases = () if air.gases is None else (air.gases.water, air.gases.pressure)
-    numbers = optics(air, np.array([550.0]), like)
-    return is_numpy(like) and not any(map(np.ndim, gases)) and all(np.ndim(number) == 1 for number in numbers)

@@ -17,7 +17,7 @@ from skydome.skies.all_air.bent_sun import BentSun, centre_illuminance
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.deep_ozone import dimming
 from skydome.skies.all_air.fast import Once, in_arrays
-from skydome.skies.all_air.lit_air import LitAir, is_one
+from skydome.skies.all_air.lit_air import LitAir
 from skydome.skies.all_air.low_aerosol import FoldedLaw, lone, same
 from skydome.skies.all_air.many_suns import LOWEST_SUN, light_of_many
 from skydome.skies.all_air.polarised.files import load_polarisation, shipped_polarisation
@@ -214,7 +214,7 @@ class PhysicalSky(StokesSky):
     @cached_property
     def for_maps(self) -> Sky:
         """The colours of one sun and air held in a table; the sky itself where those are many, or not NumPy's."""
-        return self.held() if self.one_sun and is_one(self.atmosphere, self.toward) else self
+        return self.held() if self.is_single and is_numpy(self.toward) else self
 
     def held(self) -> HeldSky:
         """The colours of one sun held in a table, for maps: ValueError for many suns."""

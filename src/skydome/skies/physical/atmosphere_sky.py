@@ -62,6 +62,11 @@ class AtmosphereSky(SunlitSky, SpectralSky):
         return self.atmosphere.albedo
 
     @property
+    def is_single(self) -> bool:
+        """Whether there is one sun, and one air."""
+        return self.one_sun and self.atmosphere.is_one
+
+    @property
     def seen_sun(self) -> Array:
         """The sun (..., 3) where it is seen: the middle of its glow."""
         return floating(self.sun)

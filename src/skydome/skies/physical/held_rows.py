@@ -42,15 +42,17 @@ class HeldRows:
     @classmethod
     def of(cls, sun: float, series: np.ndarray, laws: Sequence[PhaseLaw], kept: list[np.ndarray]) -> "HeldRows":
         """`laws` of the constituents, each `kept` at some wavelengths; shapes without light go."""
-        forms: list[ClosedForm | None] = []
-        columns: list[np.ndarray] = []
+        shapes: list[tuple[ClosedForm | None, Any]] = []
         cosines = 1 - 2 * np.linspace(0, 1, CHORDS) ** 2
         for law, wavelengths in zip(laws, kept, strict=True):
             closed = law.closed
-            forms += [closed] * len(wavelengths)
-            columns += list(np.zeros((len(wavelengths), CHORDS)) if closed else law.value(cosines, wavelengths).T)
-        lit = [k for k in range(len(forms)) if series[:, :, k].any()]
-        return cls(sun, series[:, :, [*lit, -1]], tuple(forms[k] for k in lit), np.stack(columns, axis=-1)[:, lit])
+            tabled = [0.0] * len(wavelengths) if closed else law.value(cosines, wavelengths).T
+            shapes += [(closed, column) for column in tabled]
+        lit = [k for k in range(len(shapes)) if series[:, :, k].any()]
+        table = np.zeros((CHORDS, len(lit)))
+        for column, k in enumerate(lit):
+            table[:, column] = shapes[k][1]
+        return cls(sun, series[:, :, [*lit, -1]], tuple(shapes[k][0] for k in lit), table)
 
     def hats(self, cosine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Of rows with cosines (R,) to the vertical, the nodes that they lie between and their weights, each (R, 4)."""

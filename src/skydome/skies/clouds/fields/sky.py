@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, is_numpy
 from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
-from skydome.skies.all_air.lit_air import is_one
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.incident import Incident, colours_of, spectrum_of
@@ -53,7 +52,7 @@ class CloudySky(WrappedSky, SpectralSky):
     def __post_init__(self) -> None:
         super().__post_init__()
         self.require_bounds()
-        if not (self.clear.one_sun and is_one(self.clear.atmosphere, self.clear.toward)):
+        if not (self.clear.is_single and is_numpy(self.clear.toward)):
             raise ValueError("a sky of clouds has one sun of shape (3,) and one air, got many")
 
     @cached_property
