@@ -15,6 +15,10 @@ CHAPPUIS = """1.18e-27 2.182e-28 2.818e-28 6.636e-28 1.527e-27 2.763e-27 5.52e-2
 4.701e-25 5.019e-25 4.305e-25 3.74e-25 3.215e-25 2.662e-25 2.238e-25 1.852e-25 1.473e-25 1.209e-25 9.423e-26 7.455e-26
 6.566e-26 5.105e-26 4.15e-26 4.228e-26 3.237e-26 2.451e-26 2.801e-26 2.534e-26 1.624e-26 1.465e-26 2.078e-26 1.383e-26
 7.105e-27"""
+NITROGEN_DIOXIDE = """1.32 1.61 1.88 2.16 2.53 2.87 3.17 3.58 4.02 4.18 4.62 4.97 5.09 5.49 5.61 5.90 5.93 6.01 6.30 5.97 6.44
+5.82 6.24 5.91 5.99 5.70 5.44 5.59 4.88 4.88 4.98 4.16 4.36 4.14 3.37 3.87 3.37 2.54 3.08 2.94 1.82 2.43 2.31 1.60 1.61
+1.79 1.53 1.06 1.08 1.27 1.10 .797 .605 .870 .848 .471 .447 .469 .539 .408 .395 .185 .254 .353 .257 .196 .121 .133 .153
+.192 .135 .0873 .0566"""  # 1e-19 cm2
 
 
 def hat_means(knots, known, values, half_width):
@@ -72,6 +76,21 @@ def ozone():
     )
 
 
+def nitrogen_dioxide():
+    edges = np.concatenate([[298.507, 303.030, 307.692], np.arange(312.5, 663.0, 5.0)])
+    values = np.array([float(v) for v in NITROGEN_DIOXIDE.split()]) * 1e-23
+    write(
+        "nitrogen_dioxide_cross_section",
+        [
+            "Absorption cross section of nitrogen dioxide at 294 K, m2 per molecule, means over about 5 nm about the wavelength:",
+            "Sander et al. 2006, Chemical Kinetics and Photochemical Data for Use in Atmospheric Studies, Evaluation 15 (JPL",
+            "Publication 06-2, of the United States' government), from Vandaele et al. 1998. Made by scripts/make_air_tables.py.",
+        ],
+        "wavelength_nm,cross_section",
+        np.stack([(edges[:-1] + edges[1:]) / 2, values], axis=-1),
+    )
+
+
 def gases():
     from pvlib.spectrum.spectrl2 import _SPECTRL2_COEFFS as SPECTRL2
 
@@ -118,5 +137,6 @@ def penndorf_and_grass():
 if __name__ == "__main__":
     sun()
     ozone()
+    nitrogen_dioxide()
     gases()
     penndorf_and_grass()

@@ -27,7 +27,7 @@ HOME = {
     "light.colour_temperature": "colour_temperature duv",
     "light.daylight": "daylight_spectrum",
     "air.atmosphere": "Atmosphere",
-    "air.constituents": "Aerosol Molecules Ozone",
+    "air.constituents": "Aerosol Molecules NitrogenDioxide Ozone",
     "air.gases.gases": "Gases",
     "air.clouds.cloud": "Cloud",
     "air.clouds.particles": "Water Ice",

@@ -6,6 +6,7 @@ from skydome.air.clouds.particles import Ice as Ice
 from skydome.air.clouds.particles import Water as Water
 from skydome.air.constituents import Aerosol as Aerosol
 from skydome.air.constituents import Molecules as Molecules
+from skydome.air.constituents import NitrogenDioxide as NitrogenDioxide
 from skydome.air.constituents import Ozone as Ozone
 from skydome.air.gases.gases import Gases as Gases
 from skydome.air.mie import MieParticles as MieParticles

@@ -98,6 +98,7 @@ class Atmosphere(NamedAirs, HeldBySky):
         angstrom: Any = 1.3,
         stratospheric_depth: Any = BACKGROUND_DEPTH,
         water: Any = STANDARD_WATER,
+        nitrogen_dioxide: Any = 0.0,
     ) -> "Atmosphere":
         """Clear air of the earth, its aerosol of so much depth at 550 nm, `ozone` in Dobson units, `water` in cm.
 
@@ -108,6 +109,7 @@ class Atmosphere(NamedAirs, HeldBySky):
         law = HenyeyGreenstein((asymmetry,)) if phase is None else phase
         aerosol = Aerosol(aerosol_depth, angstrom, aerosol_albedo, law)
         sky = {"pressure": pressure, "ozone": ozone, "stratospheric_depth": stratospheric_depth, "water": water}
+        sky["nitrogen_dioxide"] = nitrogen_dioxide
         air: Atmosphere = cls.of_aerosol(aerosol, **sky, albedo=albedo, sun_scale=sun_scale)
         return air
 

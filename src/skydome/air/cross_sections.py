@@ -103,6 +103,19 @@ def ozone_cross_section(wavelengths: ArrayLike) -> Array:
     return result
 
 
+def nitrogen_dioxide_cross_section(wavelengths: ArrayLike) -> Array:
+    """Absorption cross section of a molecule of nitrogen dioxide, m2, shape (W,); 0 beyond 660 nm.
+
+    Linear between means over 5 nm (JPL 06-2, after Vandaele et al. 1998, at 294 K).
+
+    >>> (nitrogen_dioxide_cross_section([400.0, 550.0]) * 1e23).round(2).tolist()
+    [6.44, 1.1]
+    """
+    table = columns("nitrogen_dioxide_cross_section")
+    w = checked_wavelengths(wavelengths)
+    return np.interp(w, table["wavelength_nm"], table["cross_section"], right=0.0)
+
+
 def solar_irradiance(wavelengths: ArrayLike) -> Array:
     """Irradiance of the sun above the air at 1 AU, W m-2 nm-1, shape (W,); ASTM G173-03 smoothed to 5 nm,
     to 10 nm beyond 1100 nm and to 50 nm beyond 2500 nm.

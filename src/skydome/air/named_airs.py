@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone
+from skydome.air.constituents import Aerosol, Constituent, Molecules, NitrogenDioxide, Ozone
 from skydome.air.cross_sections import STANDARD_PRESSURE, rayleigh_depth
 from skydome.air.gases.gases import STANDARD_WATER, Gases
 from skydome.air.phase_laws import Haze, HenyeyGreenstein
@@ -119,11 +119,13 @@ class NamedAirs:
         ozone: Any = 330.0,
         stratospheric_depth: Any = BACKGROUND_DEPTH,
         water: Any = STANDARD_WATER,
+        nitrogen_dioxide: Any = 0.0,
         **others: Any,
     ) -> Any:
         """Air of the US Standard Atmosphere 1976, Dobson units of ozone, cm of precipitable water, and an aerosol.
 
-        `stratospheric_depth` of the aerosol's depth at 550 nm lies in the stratosphere; `others` as in `Atmosphere`.
+        `stratospheric_depth` of the aerosol's depth at 550 nm lies in the stratosphere; `nitrogen_dioxide`, Dobson
+        units, as haze (rural air 0.2, a town 1, by default left out); `others` as in `Atmosphere`.
         `gases=None` leaves water vapour, oxygen and carbon dioxide out.
 
         >>> import skydome as sd
@@ -132,7 +134,9 @@ class NamedAirs:
         [0.0766, 0.094, 0.0292, 0.006]
         """
         low, *high = shared_out(aerosol, stratospheric_depth)
-        parts: tuple[Constituent, ...] = (Molecules(pressure), low, Ozone(ozone), *high)
+        none = is_numpy(nitrogen_dioxide) and not np.any(nitrogen_dioxide)
+        brown = () if none else (NitrogenDioxide(nitrogen_dioxide),)
+        parts: tuple[Constituent, ...] = (Molecules(pressure), low, Ozone(ozone), *high, *brown)
         return cls(parts, **({"gases": Gases(water, pressure)} | others))  # type: ignore[call-arg]
 
     @classmethod

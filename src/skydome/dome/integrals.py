@@ -67,7 +67,7 @@ def arrays_of(value: Any) -> Iterator[Any]:
     if isinstance(value, BARE):
         return
     if isinstance(value, (Sky, HeldBySky)):
-        for name, _, _ in parameters_of(type(value)):
+        for name, _, _ in parameters_of(value):
             yield from arrays_of(getattr(value, name))
     elif isinstance(value, tuple | list):
         for part in value:

@@ -145,8 +145,13 @@ class Parameter(NamedTuple):
     given: bool
 
 
+def parameters_of(value: Any) -> tuple[Parameter, ...]:
+    """The fields of a sky, air or law."""
+    return parameters_of_kind(cast(Any, type(value)))
+
+
 @cache
-def parameters_of(kind: type) -> tuple[Parameter, ...]:
+def parameters_of_kind(kind: type) -> tuple[Parameter, ...]:
     """The fields of a class of skies, air or laws; none of a law that somebody wrote without a dataclass."""
     directions = kind.directions_held if issubclass(kind, LabelledLight) else ()
     known = fields(kind) if is_dataclass(kind) else ()
@@ -158,7 +163,7 @@ def labelled_parts(value: Any, core: int = 0) -> Iterator[tuple[Any, int]]:
     if isinstance(value, BARE):
         return
     if isinstance(value, (LabelledLight, HeldBySky)):
-        for name, own, _ in parameters_of(type(value)):  # not what the sky keeps beside them: it may hold the sky
+        for name, own, _ in parameters_of(value):  # not what the sky keeps beside them: it may hold the sky
             yield from labelled_parts(getattr(value, name), own)
     elif isinstance(value, (tuple, list)):
         for part in value:
@@ -173,7 +178,7 @@ def changed(value: Kind, change: Callable[[Any, int], Any], core: int = 0) -> Ki
     if isinstance(value, BARE):
         return value
     if isinstance(value, (LabelledLight, HeldBySky)):
-        held = {name: (getattr(value, name), own) for name, own, given in parameters_of(type(value)) if given}
+        held = {name: (getattr(value, name), own) for name, own, given in parameters_of(value) if given}
         new = {name: changed(old, change, own) for name, (old, own) in held.items()}
         moved = {name: part for name, part in new.items() if part is not held[name][0]}
         return cast(Kind, replace(value, **moved) if moved else value)  # type: ignore[type-var]

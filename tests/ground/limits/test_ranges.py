@@ -75,7 +75,7 @@ def examples():
 
     air = sd.Atmosphere()
     yield from (air, sd.Molecules(), sd.Molecules(optical_depth=0.1), sd.Aerosol(), sd.Ozone(), Rayleigh())
-    yield from (sd.Cloud(), Droplets())
+    yield from (sd.Cloud(), Droplets(), sd.NitrogenDioxide())
     yield from (
         CornetteShanks(0.7),
         Exponential(8e3),

@@ -7,7 +7,7 @@ one view, and a little more. View and surplus are fitted to discrete ordinates, 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.constituents import Ozone
+from skydome.air.constituents import AbsorbingGas
 from skydome.ground.arrays import Array, namespace, safe_divide
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.single_scattering import lit_rays
@@ -28,8 +28,8 @@ def held_depths(
     if wavelengths[0] >= DEEP:
         return None
     share = safe_divide(taught.absorbers, known.absorbers)
-    ozone = (isinstance(part, Ozone) for part in air.constituents)
-    return [depth * share if deep else depth for depth, deep in zip(depths, ozone, strict=True)]
+    absorbs = (isinstance(part, AbsorbingGas) for part in air.constituents)
+    return [depth * share if deep else depth for depth, deep in zip(depths, absorbs, strict=True)]
 
 
 def dimming(tables: ColumnTables, sun: Array, depths: list[Array], held: list[Array], shares: list[Array]) -> Array:

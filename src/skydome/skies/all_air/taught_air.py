@@ -7,13 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from skydome.air.atmosphere import USUAL_ALBEDO, Atmosphere
-from skydome.air.constituents import Aerosol, Constituent, Molecules, Ozone, at
+from skydome.air.constituents import AbsorbingGas, Aerosol, Constituent, Molecules, at
 from skydome.air.cross_sections import STANDARD_PRESSURE
 from skydome.air.gases.gases import STANDARD_WATER
 from skydome.air.named_airs import BACKGROUND_DEPTH
 from skydome.ground.arrays import Array, as_numpy, constant, floating, is_concrete, is_numpy, namespace, safe_divide
 from skydome.ground.limits.ranges import Range, inside
-from skydome.skies.all_air.low_aerosol import LowAerosol, is_low, same
+from skydome.skies.all_air.low_aerosol import HIGH, LowAerosol, same
 
 TAUGHT = {
     "molecules": Range(0.0, 1.35),
@@ -78,6 +78,7 @@ def clear_air(
     angstrom: Any = 1.3,
     stratospheric_depth: Any = BACKGROUND_DEPTH,
     water: Any = STANDARD_WATER,
+    nitrogen_dioxide: Any = 0.0,
 ) -> Atmosphere:
     """The air that the physical sky was taught: `Atmosphere.standard`, under the name that this sky had for it.
 
@@ -94,6 +95,7 @@ def clear_air(
         angstrom=angstrom,
         stratospheric_depth=stratospheric_depth,
         water=water,
+        nitrogen_dioxide=nitrogen_dioxide,
     )
 
 
@@ -106,7 +108,7 @@ def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
     def total(parts: list[Array]) -> Array:
         return sum(parts[1:], parts[0]) if parts else constant([0.0] * len(wavelengths), like)
 
-    molecules, ozone, low, high = kinds(air)
+    molecules, absorbers, low, high = kinds(air)
     depth = [same(part.depth(wavelengths), like) for part in low]
     scattered = [d * same(part.scattered(wavelengths), like) for d, part in zip(depth, low, strict=True)]
     forward = [s * same(part.phase_law.mean_cosine(wavelengths), like) for s, part in zip(scattered, low, strict=True)]
@@ -118,7 +120,7 @@ def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
         total([same(part.depth(wavelengths), like) for part in molecules]),
         aerosol,
         total([same(part.depth(wavelengths), like) for part in high]),
-        total([same(part.depth(wavelengths), like) for part in ozone]),
+        total([same(part.depth(wavelengths), like) for part in absorbers]),
         ratio(scattering, aerosol, BARE["aerosol_albedo"]),
         (mean - straight) / (1 - straight),
         same(at(air.albedo, wavelengths), like),
@@ -126,10 +128,13 @@ def optics(air: Atmosphere, wavelengths: Any, like: Array) -> Optics:
 
 
 def kinds(air: Atmosphere) -> tuple[Sequence[Constituent], ...]:
-    """An atmosphere's molecules, ozone, low and high aerosols."""
-    low = [part for part in air.constituents if is_low(part)]
-    high = [part for part in air.constituents if isinstance(part, Aerosol) and not is_low(part)]
-    return (*([part for part in air.constituents if isinstance(part, kind)] for kind in (Molecules, Ozone)), low, high)
+    """An atmosphere's molecules, high absorbing gases, low aerosols with the gases among them, and high aerosols."""
+    molecules, gases, hazes = (
+        [part for part in air.constituents if isinstance(part, kind)] for kind in (Molecules, AbsorbingGas, Aerosol)
+    )
+    low, low_gases = ([part for part in some if part.profile.mean_height < HIGH] for some in (hazes, gases))
+    high, absorbers = ([part for part in some if part.profile.mean_height >= HIGH] for some in (hazes, gases))
+    return molecules, absorbers, [*low, *low_gases], high
 
 
 def foreign(air: Atmosphere) -> Array | None:
