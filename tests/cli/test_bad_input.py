@@ -56,6 +56,7 @@ CASES = {
     "no dni": ((*DAY, *PEREZ, "--dhi", "100"), ("--dni", "W m-2")),
     "no dhi": ((*DAY, *PEREZ, "--dni", "100"), ("--dhi", "W m-2")),
     "dni below 0": ((*DAY, *PEREZ, "--dni", "-3", "--dhi", "100"), ("direct_normal_irradiance", "-3")),
+    "dni under a cloud": ((*DAY, "--model", "overcast", "--dni", "400"), ("--dni", "overcast", "400")),
     "dni below 0, disc": ((*DAY, "--dni", "-3"), ("-3",)),
     "compat": ((*DAY, *PEREZ, "--dni", "300", "--dhi", "100", "--compat", "x"), ("gendaylit", "x")),
     "dhi of another model": ((*DAY, "--dhi", "100"), ("physical", "--dhi")),

@@ -153,6 +153,8 @@ def disc_for(
     from skydome.skies.validity import require_check
 
     dni = options.direct_normal_irradiance
+    if dni and model.dims_sun:
+        raise ValueError(f"--dni: the cloud of --model {model.name} tells what it leaves of the sun, got {dni:g} W m-2")
     if options.no_sun:
         return None, ["sun's disc: left out (--no-sun)"]
     if moment is None or not (model.shines or dni is not None):

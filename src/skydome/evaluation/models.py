@@ -14,11 +14,12 @@ from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.size_distributions import Lognormal
 from skydome.evaluation.evaluation import SkyOf
 from skydome.light.spectrum import Spectrum
+from skydome.skies.air_models import AirModel, PhysicalModel, TracedModel
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import TAUGHT, clear_air
 from skydome.skies.catalogue import CATALOGUE
 from skydome.skies.colour_sky import SpectralSky
-from skydome.skies.model import AirModel, Model, PhysicalModel, TracedModel
+from skydome.skies.model import Model
 from skydome.skies.physical.discrete_ordinates import DiscreteOrdinates
 from skydome.skies.physical.refitted import Numbers, Refitted
 from skydome.skies.wrapped.daylight_sky import Daylight

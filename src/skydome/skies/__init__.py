@@ -12,6 +12,7 @@
 - captured           The sky of a photograph: an environment map that answers as every sky does
 - catalogue          Every sky model by name, a row each: what the commands, fits, lessons and evaluations read
 - model              The kinds of rows in it, and how each makes its sky
+- air_models         Those of skies of air: their air by turbidity, ozone and kind of aerosol
 - series             Many skies at once toward fixed directions: the hours of a year, or a batch of conditions
 - wrapped/           Skies that change another sky, such as colour given to one that knows luminance only
 - formula/           The nine numbers, the extended Perez formula (Hosek and Wilkie 2012, eq. 8)

@@ -6,6 +6,7 @@ A new model is its file and a row in `CATALOGUE`. What the class itself tells (f
 
 from difflib import get_close_matches
 
+from skydome.skies.air_models import AirModel, PhysicalModel, TracedModel
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.cie import CIE, CIEClear, CIEIntermediate
 from skydome.skies.clouds.model import OvercastModel
@@ -18,14 +19,7 @@ from skydome.skies.formula.older.harrison_coombes import HarrisonCoombes
 from skydome.skies.formula.older.matsuura_iwata import MatsuuraIwata
 from skydome.skies.formula.older.pokrowski import Pokrowski
 from skydome.skies.hosek_wilkie import BANDS, HosekWilkie, HosekWilkieRGB
-from skydome.skies.model import (
-    AirModel,
-    Model,
-    NeuralModel,
-    PhysicalModel,
-    PreethamModel,
-    TracedModel,
-)
+from skydome.skies.model import Model, NeuralModel, PreethamModel
 from skydome.skies.neural.files import load_network
 from skydome.skies.neural.sky import NeuralSky, NeuralSpectralSky
 from skydome.skies.path_tracing.sky import PathTraced

@@ -25,6 +25,11 @@ class OvercastModel(Model):
 
     takes: tuple[str, ...] = ("optical_depth", "albedo", "altitude", "base", "kind", "thickness", "effective_radius")
 
+    @property
+    def dims_sun(self) -> bool:
+        """It does."""
+        return True
+
     def at_distance(self, distance: float) -> dict[str, float]:
         """The sun's strength."""
         return {"sun_scale": distance**-2}

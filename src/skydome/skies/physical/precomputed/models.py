@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from skydome.skies.air_models import AirModel
 from skydome.skies.all_air.spectral_nodes import NODES
-from skydome.skies.model import AirModel
 from skydome.skies.physical.held import held
 from skydome.skies.physical.held_tracing import Report
 from skydome.skies.physical.precomputed.grid import MIDDLE
