@@ -45,15 +45,16 @@ class SkyScene:
         """The same as it comes."""
         yield f"skydome {skydome.__version__}: {kind.name}"
         yield from self.about
-        if self.lamp is not None:
+        body, lamp = "sun", self.lamp
+        if lamp is not None:
+            body, where = lamp.body, lamp.direction
             yield (
-                f"{self.lamp.body}: azimuth {float(azimuth(self.lamp.direction)) / deg:.4f} degrees clockwise from north, elevation "
-                f"{float(elevation(self.lamp.direction)) / deg:.4f}; {self.lamp.illuminance:.6g} lx facing it, "
-                f"{self.lamp.colour_temperature:.0f} K, {self.lamp.width:.4g} degrees across"
+                f"{body}: azimuth {float(azimuth(where)) / deg:.4f} degrees clockwise from north, elevation "
+                f"{float(elevation(where)) / deg:.4f}; {lamp.illuminance:.6g} lx facing it, "
+                f"{lamp.colour_temperature:.0f} K, {lamp.width:.4g} degrees across"
             )
         sky, sun = self.horizontal
         yield f"light on the level ground: {sky + sun:.6g} lx, of which {sky:.6g} from the sky"
-        body = "sun" if self.lamp is None else self.lamp.body
         yield f"map: {self.map_name}, without the {body}; RGB times {self.white:g} is cd m-2 ({self.space.name})"
         yield kind.target.note.split(";")[0] + f"; east is {kind.axis((1, 0, 0))}, north {kind.axis((0, 1, 0))}"
 
