@@ -1,16 +1,22 @@
 """Fields of cloud: shape and cover, light against closed forms and discrete ordinates, and the sky that results."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.air.clouds.particles import CloudOptics, CloudParticles, Ice, Water
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Tabulated
+from skydome.ground.limits.ranges import Range
 from skydome.skies.clouds.fields import noise
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.incident import spectrum_of
 from skydome.skies.clouds.fields.kinds import Slab
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.reference import photon_shares, traced_through
+from skydome.skies.clouds.fields.reference import laws_of, photon_shares, traced_through
+from skydome.skies.clouds.fields.scattering import ANGLES, DEPTHS, Scattering, grid
 from skydome.skies.clouds.fields.shadows import sun_share
 
 pytest.importorskip("numba")
@@ -20,9 +26,26 @@ HEAPS = CloudField(sd.Cumulus(), cover=0.4, seed=7)
 ONE, DARK = np.ones(1), np.zeros((3, 4, 1))
 
 
+@dataclass(frozen=True)
+class Grains(CloudParticles):
+    """Particles of one lobe."""
+
+    g: float
+    name, radii, usual_radius = "grains", Range(1e-6, 1e-3, "m"), 1e-5
+
+    def optics(self, effective_radius, wavelengths):
+        """They absorb nothing."""
+        one = np.ones(np.shape(wavelengths))
+        return CloudOptics(one, one, self.g * one)
+
+    def phase_law(self, effective_radius):
+        """The lobe."""
+        return HenyeyGreenstein((self.g,))
+
+
 def slab(depth, g=0.5):
     """A layer of an optical depth."""
-    return CloudField(Slab(phase=HenyeyGreenstein((g,))), cover=1.0, extinction=depth / 1000.0)
+    return CloudField(Slab(Grains(g)), cover=1.0, extinction=depth / 1000.0)
 
 
 @pytest.mark.parametrize(
@@ -78,22 +101,68 @@ def test_diffusion_through_a_slab():
     assert photon_shares(lit, 2000, 0.98)[3] > 0.2
 
 
-def test_thin_slab_scatters_once():
-    lit = LitField.of(slab(0.02, 0.0), SUN)
-    seen = lit.seen(VIEWS)
-    np.testing.assert_allclose(seen[:, 1], 0.02 / VIEWS[:, 2] / (4 * np.pi), rtol=0.05)
-    np.testing.assert_allclose(seen[:, 0], np.exp(-0.02 / VIEWS[:, 2]), rtol=0.002)
+@pytest.mark.parametrize("particles", [Grains(0.0), Water()])
+def test_thin_slab_scatters_once(particles):
+    lit = LitField.of(CloudField(Slab(particles), cover=1.0, extinction=0.02 / 1000.0), SUN)
+    seen, law = lit.seen(VIEWS), particles.phase_law(1e-5).value(VIEWS @ SUN, [550.0])[:, 0]
+    sunlight = seen[:, 1] + lit.scattering().once(VIEWS @ SUN, seen[:, 5:])[:, 0]
+    np.testing.assert_allclose(sunlight, 0.02 / VIEWS[:, 2] * law, rtol=0.06, atol=3e-4)
+    np.testing.assert_allclose(seen[:, 0], np.exp(-0.02 * lit.kept / VIEWS[:, 2]), rtol=0.002)
     assert sun_share(lit.field, SUN, np.zeros((1, 3)))[0] == pytest.approx(np.exp(-0.02 / SUN[2]), rel=1e-4)
+
+
+def test_fields_and_layers_scatter_by_one_law():
+    for kind, layer in (
+        (sd.Cumulus(), Water()),
+        (sd.Cirrus(), Ice()),
+        (sd.Altocumulus(effective_radius=6e-6), Water()),
+    ):
+        cosine = np.cos(np.radians([1.0, 22.0, 90.0, 141.0]))
+        known = layer.phase_law(kind.radius).value(cosine, [450.0, 650.0])
+        weights = np.eye(2)
+        law = Scattering.of(kind.law, 0.7, [450.0, 650.0], weights)
+        once = law.once(cosine, np.eye(DEPTHS)[np.zeros(4, int)])  # through no depth: the law itself
+        np.testing.assert_allclose(once * (1 - 0.7), known, rtol=0.02)
+
+
+def test_what_many_small_turns_leave_of_a_law():
+    law = LitField.of(HEAPS, SUN).scattering()
+    _, solid = grid(ANGLES)
+    assert (solid @ law.peaks)[0] == pytest.approx(law.peak, abs=1e-3)
+    f, t = law.peak, 0.2 * np.expm1(0.337 * np.arange(DEPTHS))[1:]
+    known = 1 - np.expm1(-f / (1 - f) * t) / t  # moment 0
+    np.testing.assert_allclose(np.einsum("a,kac->k", solid, law.seeming)[1:], known, rtol=0.02)
+    forward, side = law.seeming[:, 0, 0], law.seeming[:, ANGLES * 7 // 10, 0]
+    assert (np.diff(forward) < 0).all()
+    assert side[-1] > 5 * side[0]
+
+
+def test_the_sun_s_light_is_all_told():
+    lit = LitField.of(HEAPS, SUN)
+    straight, down, _, _ = lit.budget
+    top = lit.of_sun[..., -1] / 2 / (1 + lit.steps[1] / (4 * lit.diffusivity(lit.open_to_sun)[..., -1]))
+    assert straight + (down + top.mean()) / SUN[2] == pytest.approx(1.0, abs=0.005)
+    assert photon_shares(lit, 2000).sum() == pytest.approx(1.0, abs=0.005)
+
+
+def test_absorption_dims_the_near_infrared():
+    lit = LitField.of(HEAPS, SUN)
+    share = photon_shares(lit, 8000, 0.98)[1] / photon_shares(lit, 8000)[1]
+    assert lit.dimming(np.array([0.0, 0.02]))[0] == pytest.approx([1.0, share], abs=0.08)
+    light = spectrum_of(sd.PhysicalSky(SUN), lit, [1000.0, 1650.0])
+    assert light.lost == pytest.approx(1 - Water().optics(1e-5, [1000.0, 1650.0]).albedo)
+    assert light.dimming[0, 1] < 0.98 * light.dimming[0, 0]
 
 
 @pytest.mark.parametrize("albedo", [0.0, 0.5])
 def test_paths_through_a_slab_meet_discrete_ordinates(albedo):
     pytest.importorskip("nanodisort")
     field, profile = slab(3.0), Tabulated((999.5, 1000.5, 1999.5, 2000.5), (0.0, 1.0, 1.0, 0.0))
-    air = sd.Atmosphere((sd.Aerosol(3.0, 0.0, 1.0, field.kind.phase, profile),), albedo, radius=6.371e9, height=5000.0)
+    air = sd.Atmosphere((sd.Aerosol(3.0, 0.0, 1.0, field.kind.law, profile),), albedo, radius=6.371e9, height=5000.0)
     known = sd.DiscreteOrdinates(SUN, air, streams=32).radiance(VIEWS, [550.0])[:, 0] / air.sun_at([550.0])[0]
     lit, lights = LitField.of(field, SUN), (SUN, ONE, ONE, ONE * albedo)
-    passes = np.array([traced_through(lit, VIEWS, lights, DARK, 800, 0, n)[:, 0] for n in range(10)])
+    laws = laws_of(lit.scattering())
+    passes = np.array([traced_through(lit, laws, VIEWS, lights, DARK, 800, 0, n)[:, 0] for n in range(10)])
     error = passes.std(axis=0, ddof=1) / np.sqrt(len(passes))
     assert (np.abs(passes.mean(axis=0) - known) < 3 * error).all()
     assert (error < 0.05 * known).all()
@@ -167,9 +236,10 @@ def test_refused(wrong, told):
 
 def test_air_before_the_cloud_is_the_same_compiled(sky):
     light, rng = sky.colours, np.random.default_rng(1)
-    sines, seen, clear = rng.uniform(0, 1, 50), rng.uniform(0, 1, (50, 5)), rng.uniform(0, 1, (50, 3))
+    views, seen, clear = VIEWS[np.arange(50) % 5], rng.uniform(0, 1, (50, 5 + DEPTHS)), rng.uniform(0, 1, (50, 3))
     seen[:, 4] = rng.uniform(1e3, 9e4, 50)
-    before, *lights = np.moveaxis(light.at(sines, seen[:, 4]), 1, 0)
+    before, *lights, sun = np.moveaxis(light.at(views[:, 2], seen[:, 4]), 1, 0)
     known = clear * (seen[:, :1] + (1 - seen[:, :1]) * before)
     known = known + sum(part * seen[:, n : n + 1] for n, part in enumerate(lights, 1))
-    np.testing.assert_allclose(light.put_together(clear, sines, seen), known, rtol=1e-9)
+    known = known + sun * light.scattering.once(views @ light.lit.sun, seen[:, 5:])
+    np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)

@@ -5,6 +5,7 @@
 - kinds            The kinds of cloud: where they float, how thick and dense they are, and their shape as noise
 - field            A field of cloud: extinction at every place over the ground, repeating, drifting with the wind
 - medium_kernel    Extinction at a place, means over coarse cells, depths along rays, compiled
+- scattering       How cloud scatters: the particles' law, the same after many small turns, angles drawn from it
 - lit_field        A field under its lights: depths toward the sun, diffused light of sun, sky and ground
 - diffusion_kernel  Diffusion of light through a coarse grid, compiled
 - march_kernel     Rays through a lit field, compiled

@@ -32,14 +32,14 @@ def at_the_edge(d, dz, entering):
 
 
 @part
-def balanced(diffusivity, source, fluence, j, i, across, along, dz, top, bottom, column):
+def balanced(diffusivity, absorbed, source, fluence, j, i, weights, dz, top, bottom, column):
     """Write a column's equations into `column` (3, levels), each freed of the cell below."""
-    levels, below = source.shape[2], 0.0
+    levels, below, (across, along) = source.shape[2], 0.0, weights
     for k in range(levels):
         d = diffusivity[j, i, k]
         here, given = beside(diffusivity, fluence, j, i, k, across)
         above = joined(d, diffusivity[j, i, k + 1], along) if k < levels - 1 else 0.0
-        here, given = here + below + above, given + source[j, i, k]
+        here, given = here + below + above + absorbed[j, i, k], given + source[j, i, k]
         if k == 0:
             lost, won = at_the_edge(d, dz, bottom)
             here, given = here + lost, given + won
@@ -63,16 +63,16 @@ def answered(column, over, fluence, j, i):
 
 
 @compiled
-def relaxed(diffusivity, source, dx, dz, top, bottom, sweeps, over, column, fluence):
-    """Fluence of -div(D grad fluence) = source, into `fluence` (north, east, up), which may hold a first guess.
+def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, column, fluence):
+    """Fluence of absorbed fluence - div(D grad fluence) = source, into `fluence` (north, east, up), the first guess.
 
     `top`, `bottom`: what light falls in there, as a flux. Marshak's boundary: (fluence / 2 - 2 in) flows out. `column`
     (3, levels) is scratch; `over` speeds it up.
     """
     rows, columns, _ = source.shape
-    across, along = 1.0 / (dx * dx), 1.0 / (dz * dz)
+    weights = (1.0 / (dx * dx), 1.0 / (dz * dz))
     for sweep in range(2 * sweeps):
         for j in range(rows):
             for i in range((j + sweep) % 2, columns, 2):
-                balanced(diffusivity, source, fluence, j, i, across, along, dz, top, bottom, column)
+                balanced(diffusivity, absorbed, source, fluence, j, i, weights, dz, top, bottom, column)
                 answered(column, over, fluence, j, i)

@@ -1,7 +1,7 @@
 """The light of a clear sky on a field of cloud, in channels: sun, sky and ground at the cloud, and the air before it.
 
-A channel is a weighted sum of wavelengths: one wavelength, CIE X, Y, Z, or the whole spectrum's energy. Cloud is grey
-here, and does not absorb.
+A channel is a weighted sum of wavelengths: one wavelength, CIE X, Y, Z, or the whole spectrum's energy. The cloud's
+extinction is grey; its law and what it absorbs are the particles' by wavelength.
 """
 
 from dataclasses import dataclass
@@ -19,6 +19,7 @@ from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
@@ -88,6 +89,11 @@ class Incident:
         return self.beam(float(self.heights[LEVELS // 2]))
 
     @cached_property
+    def scattering(self) -> Scattering:
+        """How the cloud scatters the sun's light in the channels."""
+        return self.lit.scattering(self.channels.wavelengths, self.channels.weights * self.sun[:, None])
+
+    @cached_property
     def sun_below(self) -> np.ndarray:
         """The same at the ground, without cloud, (W,)."""
         disc = self.clear.own_disc(MEAN_RADIUS / self.clear.sun_distance)
@@ -104,8 +110,20 @@ class Incident:
         """Irradiance that the ground sends up: what comes through the field, to and fro between both, (W,)."""
         lit, albedo = self.lit, np.asarray(self.air.albedo_at(self.channels.wavelengths))
         direct, of_sun, of_sky, back = lit.budget
-        down = self.sun_below * max(lit.sun[2], 0.0) * direct + self.sun * of_sun + self.sky * of_sky
-        return np.asarray(albedo * down / (1 - albedo * back))
+        by_sun, by_sky, by_ground = self.dimming
+        down = self.sun_below * max(lit.sun[2], 0.0) * direct + self.sun * of_sun * by_sun + self.sky * of_sky * by_sky
+        return np.asarray(albedo * down / (1 - albedo * back * by_ground))
+
+    @cached_property
+    def lost(self) -> np.ndarray:
+        """Share that the cloud absorbs of the light that meets it, (W,)."""
+        kind = self.lit.field.kind
+        return np.asarray(1 - np.asarray(kind.particles.optics(kind.radius, self.channels.wavelengths).albedo))
+
+    @cached_property
+    def dimming(self) -> np.ndarray:
+        """What absorption leaves of scattered light of sun, sky and ground, (3, W)."""
+        return self.lit.dimming(self.lost)
 
     @cached_property
     def sines(self) -> np.ndarray:
@@ -130,32 +148,44 @@ class Incident:
 
     @cached_property
     def tables(self) -> np.ndarray:
-        """By elevation and height, (VIEWS, LEVELS, 4, C): the share of the clear sky's light that the air before the
-        cloud has, and what sun, sky and ground have there when they have come through it.
+        """By elevation and height, (VIEWS, LEVELS, 5, C): the share of the clear sky's light that the air before the
+        cloud has; what sun, sky and ground, scattered by the cloud, and the sun scattered once, have come through it.
         """
         weights, through = self.channels.weights, self.through_air
         whole = -np.expm1(-(ColumnTables.of(self.air).toward(np.zeros(VIEWS), self.sines) @ self.depths))
         share = np.minimum((1 - through) / np.maximum(whole[:, None], LEAST), 1.0)
         seen = self.mean_sky @ weights
         before = ((self.mean_sky * share) @ weights) / np.where(np.abs(seen) > LEAST, seen, 1.0)
-        lights = [(through * light) @ weights for light in (self.sun, self.sky, self.ground)]
+        shares = zip((self.sun, self.sky, self.ground, self.sun), (*self.dimming, 1 - self.lost), strict=True)
+        lights = [(through * (light * share)) @ weights for light, share in shares]
         return np.stack([before, *lights], axis=2)
 
     def behind(self, light: np.ndarray, views: np.ndarray) -> np.ndarray:
         """The clear sky's `light` (D, C) toward views (D, 3) with the field before it, (D, C)."""
-        return self.put_together(np.asarray(light), views[:, 2], self.lit.seen(views))
+        return self.put_together(np.asarray(light), views, self.lit.seen(views))
 
-    def put_together(self, light: np.ndarray, sines: np.ndarray, seen: np.ndarray) -> np.ndarray:
-        """The same for what is seen (D, 5) of the field, toward sines of elevation (D,)."""
+    def put_together(self, light: np.ndarray, views: np.ndarray, seen: np.ndarray) -> np.ndarray:
+        """The same for what is seen of the field, (D, 5 + DEPTHS)."""
         from skydome.skies.clouds.fields.air_kernel import put_together
 
         out, (low, *_, high) = np.empty(light.shape), self.heights
-        given = (self.tables, low, high, self.air.radius, np.ascontiguousarray(sines), seen, light, out)
+        given = (
+            self.tables,
+            self.scattering.seeming,
+            low,
+            high,
+            self.air.radius,
+            views,
+            self.lit.sun,
+            seen,
+            light,
+            out,
+        )
         shared(put_together, len(out), out.size, given)
         return out
 
     def at(self, sines: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        """The tables for sines of elevation and distances (D,), (D, 4, C)."""
+        """The tables for sines of elevation and distances (D,), (D, 5, C)."""
         up = np.clip(sines, 0.0, 1.0)
         height = distance * up + distance**2 * (1 - up**2) / (2 * self.air.radius)
         rows = np.sqrt(up) * (VIEWS - 1)

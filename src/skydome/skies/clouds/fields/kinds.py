@@ -7,28 +7,27 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.phase_laws import HenyeyGreenstein, PhaseLaw
+from skydome.air.clouds.particles import CloudParticles, Ice, Water
+from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
+from skydome.ground.limits.ranges import require
 from skydome.skies.clouds.fields.noise import ENDLESS, cells, gradient
-
-WATER = HenyeyGreenstein((0.89, -0.3), (0.97, 0.03))
-"""Droplets: a mean cosine of 0.85, with some light sent back."""
-ICE = HenyeyGreenstein((0.87, 0.0), (0.9, 0.1))
-"""Crystals: a mean cosine of 0.78."""
 
 
 @dataclass(frozen=True)
 class CloudKind(ABC):
     """A kind of cloud. Its shape is a number at each place: cloud is where it exceeds the threshold of a cover.
 
+    particles, effective_radius: water or ice, and how large, m (the particles' usual one), as of a `Cloud` in layers.
     name: as people write it. base, thickness: usual ones, m. extinction: the greatest, m-1. period: after which the
-    field repeats, m; `count` places of the shape along it, `levels` over the thickness. erosion: by how much fine
-    detail eats into the shape; `detail` m between its places. edge: from the threshold up to full density, in the
-    shape's units.
+    field repeats, m; `count` places of the shape along it, a power of two, `levels` over the thickness. erosion: by how
+    much fine detail eats into the shape; `detail` m between its places. edge: from the threshold up to full density,
+    in the shape's units.
     """
 
-    phase: PhaseLaw = field(default=WATER)
+    particles: CloudParticles = field(default_factory=Water)
+    effective_radius: float | None = None
     name: ClassVar[str]
     base: ClassVar[float]
     thickness: ClassVar[float]
@@ -41,9 +40,20 @@ class CloudKind(ABC):
     edge: ClassVar[float] = 0.05
 
     def __post_init__(self) -> None:
-        require_kind(self.phase, PhaseLaw, "phase", "HenyeyGreenstein((0.85,))")
+        require_kind(self.particles, CloudParticles, "particles", "Water()")
+        require("effective_radius", self.radius, self.particles.radii)
         if self.count.bit_count() != 1:
             raise ValueError(f"count must be a power of two, got {self.count}")
+
+    @property
+    def radius(self) -> float:
+        """The particles' effective radius, m."""
+        return self.particles.usual_radius if self.effective_radius is None else self.effective_radius
+
+    @property
+    def law(self) -> PhaseLaw:
+        """The particles' phase function, that of a layer of them."""
+        return self.particles.phase_law(self.radius)
 
     @abstractmethod
     def shape(self, points: np.ndarray, height: np.ndarray, seed: int) -> Array:
@@ -191,7 +201,7 @@ class Cirrus(CloudKind):
     9000.0
     """
 
-    phase: PhaseLaw = field(default=ICE)
+    particles: CloudParticles = field(default_factory=Ice)
     name: ClassVar[str] = "cirrus"
     base: ClassVar[float] = 9000.0
     thickness: ClassVar[float] = 1200.0

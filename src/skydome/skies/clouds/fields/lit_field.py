@@ -2,7 +2,8 @@
 
 Fast form. Light scattered once is found along the ray with the true phase function, the forward peak taken out of the
 optical depths (Nakajima and Tanaka 1988, the TMS method; delta-Eddington, Joseph et al. 1976). All higher orders are
-diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source, D = 1 / (3 (1 - g) extinction).
+diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source, D = 1 / (3 (1 - g) extinction). Cloud
+that absorbs dims it as a whole, by what one such diffusion loses.
 """
 
 from dataclasses import dataclass
@@ -12,22 +13,22 @@ from typing import Any
 
 import numpy as np
 
-from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
 
-ANGLES = 3601
 LOWEST = 0.01
 """Sine of the elevation of the lowest sun whose shadows are let down."""
-FARTHEST = 120_000.0
+FARTHEST = 400_000.0
 """How far cloud is sought, m."""
-OPEN_TO_SUN, OPEN_TO_SKY = 1.0 / 620.0, 1.0 / 4000.0
-"""Transport extinction that stands for empty air, m-1, in the diffusion of sunlight, and of light from sky and ground;
-fitted, as are the next, to paths traced (docs/clouds.md)."""
-BLUR, BROADER = 0.35, 2.5
-"""How soon many small turns blur the phase function, and to which power of its mean cosine."""
-SWEEPS, OVER = 24, 1.8
+OPEN_TO_SUN, OPEN_TO_SKY = 600.0, 4.0
+"""The transport length of empty air is, in the diffusion of sunlight, the root of this (m) times cover times thickness,
+and in that of light from sky and ground so many thicknesses. Fitted to paths traced (docs/clouds.md)."""
+SWEEPS, OVER, FEWEST = 16, 1.7, 8
+"""Sweeps on each grid, how far beyond, and cells along a side of the coarsest grid, at most."""
+LOST, TRIFLE, LEAST = 0.02, 1e-4, 1e-9
+"""Share absorbed in the diffusion that tells how cloud absorbs; a share that is nothing; a flux that is."""
 RAYS_PER_PIECE = 1 << 8
 WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
 """Gaps that are told apart, in heights of a cell."""
@@ -54,7 +55,7 @@ class LitField:
     @cached_property
     def asymmetry(self) -> float:
         """Mean cosine of the cloud's scattering angle."""
-        return float(np.asarray(self.field.kind.phase.mean_cosine([550.0]))[0])
+        return float(np.asarray(self.field.kind.law.mean_cosine([550.0]))[0])
 
     @property
     def kept(self) -> float:
@@ -102,6 +103,16 @@ class LitField:
         depths_toward_sun(np.float32(self.coarse * self.kept), *self.steps, self.sun, out)
         return out
 
+    @property
+    def open_to_sun(self) -> float:
+        """Transport extinction that stands for empty air, m-1, in the diffusion of sunlight."""
+        return float(1 / np.sqrt(max(self.field.cover, LEAST) * self.field.thickness * OPEN_TO_SUN))
+
+    @property
+    def open_to_sky(self) -> float:
+        """The same in that of light from sky and ground."""
+        return 1 / (OPEN_TO_SKY * self.field.thickness)
+
     def diffusivity(self, open_air: float) -> np.ndarray:
         """1 / (3 transport extinction), m, that of empty air in the gaps."""
         return np.asarray(1 / (3 * np.maximum((1 - self.asymmetry) * self.coarse, open_air)), np.float32)
@@ -109,7 +120,7 @@ class LitField:
     @cached_property
     def of_sky(self) -> np.ndarray:
         """Fluence for a skylight of irradiance 1 from above."""
-        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(OPEN_TO_SKY), 1.0, 0.0)
+        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(self.open_to_sky), 1.0, 0.0)
 
     @cached_property
     def of_ground(self) -> np.ndarray:
@@ -119,28 +130,51 @@ class LitField:
     @cached_property
     def of_sun(self) -> np.ndarray:
         """Diffuse fluence for sunlight of irradiance 1 on a plane that faces it."""
+        return self.diffused(self.sun_source, self.diffusivity(self.open_to_sun), 0.0, 0.0)
+
+    @cached_property
+    def sun_source(self) -> np.ndarray:
+        """What the beam gives to that diffusion, m-1, float32."""
         dx, dz = self.steps
         beam = self.coarse * self.kept * np.exp(-self.sun_depths)
         below = np.exp(-self.sun_depths[..., 0] - 0.5 * dz / self.sun[2] * self.kept * self.coarse[..., 0]).mean()
         beam *= self.sun[2] * (1 - below) / max(beam.mean() * self.field.thickness, 1e-30)  # what is lost is scattered
-        diffusivity = self.diffusivity(OPEN_TO_SUN)
-        forward = 3 * diffusivity * beam * (self.asymmetry / (1 + self.asymmetry))
+        forward = 3 * self.diffusivity(self.open_to_sun) * beam * (self.asymmetry / (1 + self.asymmetry))
         source = beam.astype(np.float32)
         for axis, (part, step) in enumerate(zip(-self.sun[[1, 0, 2]], (dx, dx, dz), strict=True)):
             before, after = np.roll(forward, 1, axis), np.roll(forward, -1, axis)
             if axis == 2:
                 before[..., 0], after[..., -1] = -forward[..., 0], -forward[..., -1]
             source -= np.float32(part * (after - before) / (2 * step))
-        return self.diffused(source, diffusivity, 0.0, 0.0)
+        return np.asarray(source)
 
-    def diffused(self, source: np.ndarray, diffusivity: np.ndarray, top: float, bottom: float) -> np.ndarray:
-        """The fluence, float32."""
-        from skydome.skies.clouds.fields.diffusion_kernel import relaxed
+    def diffused(
+        self, source: np.ndarray, diffusivity: np.ndarray, top: float, bottom: float, lost: float = 0.0
+    ) -> np.ndarray:
+        """The fluence, float32, where a share `lost` of what meets the cloud is absorbed."""
+        absorbed = np.float32(lost) * self.coarse
+        return np.asarray(np.maximum(spread(diffusivity, absorbed, source, *self.steps, top, bottom), 0))
 
-        fluence = np.full(source.shape, 2.0 * (top + bottom), np.float32)
-        column = np.empty((3, source.shape[2]))
-        relaxed(diffusivity, source, *self.steps, top, bottom, SWEEPS, OVER, column, fluence)
-        return np.maximum(fluence, 0)
+    @cached_property
+    def losses(self) -> tuple[float, float, float]:
+        """Light of sun, sky and ground that cloud without absorption sends down, over that of cloud that absorbs `LOST`
+        of what meets it.
+        """
+        nothing, open_sky = np.zeros_like(self.coarse), self.diffusivity(self.open_to_sky)
+        sun = self.diffused(self.sun_source * np.float32(1 - LOST), self.diffusivity(self.open_to_sun), 0.0, 0.0, LOST)
+        sky, ground = (self.diffused(nothing, open_sky, 1.0 - n, n, LOST) for n in (0.0, 1.0))
+        _, of_sun, of_sky, back = self.budget
+        return (
+            of_sun / max(self.leaving(sun, self.open_to_sun, 0.0), LEAST),
+            of_sky / max(self.leaving(sky, self.open_to_sky, 0.0), LEAST),
+            back / max(1 + self.leaving(ground, self.open_to_sky, 1.0), LEAST),
+        )
+
+    def dimming(self, lost: np.ndarray) -> np.ndarray:
+        """What cloud that absorbs shares `lost` (W,) leaves of the scattered light of sun, sky and ground, (3, W)."""
+        if lost.max(initial=0.0) < TRIFLE:
+            return np.ones((3, len(lost)))
+        return np.asarray(1 / (1 + lost / LOST * (np.array(self.losses)[:, None] - 1)))
 
     @cached_property
     def budget(self) -> tuple[float, float, float, float]:
@@ -148,8 +182,10 @@ class LitField:
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
         below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
-        of_sun = self.leaving(self.of_sun, OPEN_TO_SUN, 0.0)
-        of_sky, back = (self.leaving(part, OPEN_TO_SKY, j) for part, j in ((self.of_sky, 0.0), (self.of_ground, 1.0)))
+        of_sun = self.leaving(self.of_sun, self.open_to_sun, 0.0)
+        of_sky, back = (
+            self.leaving(part, self.open_to_sky, j) for part, j in ((self.of_sky, 0.0), (self.of_ground, 1.0))
+        )
         return float(np.exp(-below).mean()), of_sun, of_sky, 1 + back
 
     def leaving(self, fluence: np.ndarray, open_air: float, entering: float) -> float:
@@ -162,25 +198,43 @@ class LitField:
         """What rays read, (north, east, up, 4)."""
         return np.ascontiguousarray(np.stack([self.sun_depths, self.of_sun, self.of_sky, self.of_ground], axis=-1))
 
-    @cached_property
-    def phase(self) -> np.ndarray:
-        """The phase function at even angles, and what is left of it after many small turns, (2, ANGLES)."""
-        cosine, blurred = np.cos(np.linspace(0, np.pi, ANGLES)), HenyeyGreenstein((self.asymmetry**BROADER,))
-        return np.stack([law.value(cosine, [550.0])[:, 0] for law in (self.field.kind.phase, blurred)])
+    def scattering(self, wavelengths: Any = (550.0,), weights: Any = ((1.0,),)) -> Scattering:
+        """How the cloud scatters in channels, weights (W, C) of light of wavelengths (W,), nm."""
+        kind = self.field.kind
+        return Scattering.of(kind.law, self.asymmetry**2, wavelengths, np.asarray(weights))
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
-        """Toward directions (D, 3): transmittance, radiance of sun, sky and ground for 1, distance: (D, 5)."""
+        """Toward directions (D, 3), for irradiances of 1: transmittance, radiance of sunlight scattered more than once,
+        of sky and ground, distance, and sunlight scattered once by depth, for `Scattering.once`: (D, 5 + DEPTHS).
+        """
         from skydome.skies.clouds.fields.march_kernel import marched
 
-        views = np.ascontiguousarray(directions, np.float64)
-        out = np.empty((len(views), 5))
-        kind = self.field.kind
-        numbers = np.array(
-            [self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, OPEN_TO_SUN, BLUR * (1 / self.kept - 1)]
-        )
-        given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, self.phase, numbers, out)
+        views, kind = np.ascontiguousarray(directions, np.float64), self.field.kind
+        out = np.empty((len(views), 5 + DEPTHS))
+        numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, self.open_to_sun])
+        given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
         return out
+
+
+def spread(
+    diffusivity: np.ndarray, absorbed: np.ndarray, source: np.ndarray, dx: float, dz: float, top: float, bottom: float
+) -> np.ndarray:
+    """The fluence by `relaxed`, which begins with that of a grid twice as coarse to north and east."""
+    from skydome.skies.clouds.fields.diffusion_kernel import relaxed
+
+    if len(source) > FEWEST:
+        coarser = spread(paired(diffusivity), paired(absorbed), paired(source), 2 * dx, dz, top, bottom)
+        fluence = coarser.repeat(2, axis=0).repeat(2, axis=1)
+    else:
+        fluence = np.full(source.shape, 2.0 * (top + bottom), np.float32)
+    relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, SWEEPS, OVER, np.empty((3, source.shape[2])), fluence)
+    return fluence
+
+
+def paired(cells: np.ndarray) -> np.ndarray:
+    """Means of two by two cells to north and east."""
+    return np.ascontiguousarray(0.25 * (cells[::2, ::2] + cells[1::2, ::2] + cells[::2, 1::2] + cells[1::2, 1::2]))
 
 
 def widened(taken: np.ndarray, level: int, upward: int) -> np.ndarray:

@@ -4,7 +4,7 @@
 `light` (north, east, up, 4), float32: scaled optical depth toward the sun, and the fluence of sun, sky and ground for
 an irradiance of 1 each. `gaps` (north, east, up): m around that are free of cloud. `numbers`: share of the extinction
 that stays after the forward peak is taken out, how far light is sought, the step, m, the mean cosine of the scattering
-angle, the transport extinction of empty air, and how soon small turns blur the phase function.
+angle, and the transport extinction of empty air.
 """
 
 import math
@@ -12,6 +12,7 @@ import math
 from skydome.ground.compiled import inlined, job
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.clouds.fields.medium_kernel import between, extinction, free
+from skydome.skies.clouds.fields.scattering import FIRST, STEP
 
 compiled, part = job(), inlined()
 GONE = 0.02
@@ -76,52 +77,44 @@ def distance_to(height, up):
 
 
 @part
-def phases(phase, cosine):
-    """Both phase functions at a cosine."""
-    place = math.acos(min(max(cosine, -1.0), 1.0)) / math.pi * (phase.shape[1] - 1)
-    at = min(int(place), phase.shape[1] - 2)
-    share = place - at
-    return (
-        phase[0, at] + (phase[0, at + 1] - phase[0, at]) * share,
-        phase[1, at] + (phase[1, at + 1] - phase[1, at]) * share,
-    )
+def placed(depth, count):
+    """Where a scaled depth lies among those of `scattering`, as a place and a share of the next."""
+    place = min(math.log1p(depth / FIRST) / STEP, count - 1.000001)
+    return int(place), place - int(place)
 
 
 @part
-def sources(m, light, sun, numbers, view, here, sigma, seen):
-    """What a place sends toward the eye of sun, sky and ground. `here` in m, `seen`: transmittance up to it."""
-    kept, near, asymmetry, open_air, blur = numbers[0], numbers[2], numbers[3], numbers[4], numbers[5]
+def sources(m, light, sun, numbers, view, here, sigma):
+    """The scaled depth to the sun from a place, and what it sends toward the eye of sun, sky and ground that the cloud
+    had scattered before. `here` in m.
+    """
+    kept, near, asymmetry, open_air = numbers[0], numbers[2], numbers[3], numbers[4]
     x, y, z = here
-    a, b, up, cosine, once, often, dx, dz = view
+    a, b, up, cosine, dx, dz = view
     close, beyond = depth_to_sun(m, light, sun, x, y, z, dx, dz, 2.0 * near)
-    beam = math.exp(-close * kept - beyond)
-    scattered = often + (once - often) * (beam * seen) ** blur
+    depth = close * kept + beyond
     u, v, w, high = x / dx - 0.5, y / dx - 0.5, z / dz - 0.5, 0.5 * up * dx / dz
     s1, k1, g1 = fluences(light, u + 0.5 * a, v + 0.5 * b, w + high)
     s0, k0, g0 = fluences(light, u - 0.5 * a, v - 0.5 * b, w - high)
     left = asymmetry / (1.0 + asymmetry)
-    way = left / (max(sigma * (1.0 - asymmetry), open_air) * dx)
-    ahead = 3.0 * left * left / (1.0 - left) * beam * cosine
-    return (
-        scattered * beam + onward(s0, s1, way, ahead),
-        onward(k0, k1, way, 0.0),
-        onward(g0, g1, way, 0.0),
-    )
+    turned = sigma * (1.0 - asymmetry)
+    way = left / (max(turned, open_air) * dx)
+    ahead = 3.0 * left * left / (1.0 - left) * min(turned / open_air, 1.0) * math.exp(-depth) * cosine
+    return depth, onward(s0, s1, way, ahead), onward(k0, k1, way, 0.0), onward(g0, g1, way, 0.0)
 
 
 @compiled
-def marched(first, last, m, directions, light, gaps, period, sun, phase, numbers, out):
-    """Fill out (D, 5): transmittance, radiance of sun, sky and ground for an irradiance of 1, distance of the cloud.
-
-    `phase` (2, angles): the phase function at even angles from 0 to pi, as it is and blurred by many small turns.
+def marched(first, last, m, directions, light, gaps, period, sun, numbers, out):
+    """Fill out (D, 5 + DEPTHS) for irradiances of 1: transmittance, radiance of sunlight scattered more than once, of
+    sky and ground, distance of the cloud, and sunlight scattered once over the phase function, by the depth it came.
     """
     kept, farthest, fine = numbers[0], numbers[1], numbers[2]
     dx, dz = period / light.shape[1], m.thickness / light.shape[2]
     for n in range(first, last):
         a, b, up = directions[n, 0], directions[n, 1], max(directions[n, 2], 1e-4)
         cosine = a * sun[0] + b * sun[1] + up * sun[2]
-        once, often = phases(phase, cosine)
-        view = (a, b, up, cosine, once / kept, often, dx, dz)
+        view = (a, b, up, cosine, dx, dz)
+        out[n] = 0.0
         s, end = distance_to(m.base, up), min(distance_to(m.base + m.thickness, up), farthest)
         through, from_sun, from_sky, from_ground, weight, far, was_cloud = 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
         while s < end and through > 0.0:
@@ -137,9 +130,12 @@ def marched(first, last, m, directions, light, gaps, period, sun, phase, numbers
                 s, was_cloud = s + (step if was_cloud else 1.5 * step), False
                 continue
             step = step if was_cloud else max(0.5 * step, fine)
-            by_sun, by_sky, by_ground = sources(m, light, sun, numbers, view, here, sigma, through)
+            depth, by_sun, by_sky, by_ground = sources(m, light, sun, numbers, view, here, sigma)
             share = through * (1.0 - math.exp(-sigma * kept * step))
             share = through if through - share < GONE else share
+            k, rest = placed(depth - math.log(through), out.shape[1] - 5)
+            out[n, 5 + k] += share * math.exp(-depth) * (1.0 - rest)
+            out[n, 6 + k] += share * math.exp(-depth) * rest
             from_sun += share * by_sun
             from_sky += share * by_sky
             from_ground += share * by_ground

@@ -14,15 +14,14 @@ from skydome.ground.files.contents import digest_of
 from skydome.ground.limits.ranges import SEED, Range, require, require_one
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.path_tracing.tracing import Tracing
 
 ELEVATIONS, AZIMUTHS = 33, 64
 """Of the table of the clear sky that paths end in."""
-SHARES = 8193
-"""Of the phase function's integral at which scattering angles are kept."""
 PATHS_PER_PIECE = 64
-MEANING = 1
+MEANING = 2
 """Counted up whenever a seed comes to mean other paths."""
 
 
@@ -32,7 +31,10 @@ class CloudTracing:
 
     `CloudTracing(sky, views).start().until(0.05)` is a `Tracing` to be stored, taken up and merged. Light meets the
     cloud from the sun, from the clear sky by direction, and from the ground. Delta tracking (Woodcock et al. 1965),
-    next-event estimation by ratio tracking. The air between cloud and eye is that of the fast form.
+    next-event estimation by ratio tracking. Paths turn by the particles' phase function, the sun's colour by its law of
+    the channel at the last turn; after the first turn the law that looks for the sun is evened within 6 degrees of its
+    peak (else a few paths hold all the light), which blurs what is nearer the sun than that. The air between cloud and
+    eye is that of the fast form.
 
     >>> import skydome as sd
     >>> from skydome.skies.clouds.fields.field import CloudField
@@ -87,7 +89,8 @@ class CloudTracing:
     def one_pass(self, number: int) -> Array:
         """Mean colours by one pass's paths, (D, 3)."""
         light, views = self.sky.colours, np.ascontiguousarray(self.directions, np.float64)
-        found = traced_through(light.lit, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
+        laws = laws_of(light.scattering)
+        found = traced_through(light.lit, laws, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
         return through_the_air(light, self.clear, self.directions, found, self.lights[1])
 
     def fingerprint(self) -> str:
@@ -96,13 +99,13 @@ class CloudTracing:
 
 
 def traced_through(
-    lit: LitField, views: np.ndarray, lights: Any, ends: np.ndarray, paths: int, seed: int, number: int
+    lit: LitField, laws: Any, views: np.ndarray, lights: Any, ends: np.ndarray, paths: int, seed: int, number: int
 ) -> np.ndarray:
     """Light of the cloud toward views (D, 3), share that passes, mean distance of collisions, (D, C + 2)."""
     from skydome.skies.clouds.fields.tracing_kernel import traced
 
     out = np.empty((len(views), ends.shape[2] + 2))
-    given = (lit.field.medium, views, lit.gaps, lit.steps[0], laws_of(lit), lights, ends, paths, seed, number, out)
+    given = (lit.field.medium, views, lit.gaps, lit.steps[0], laws, lights, ends, paths, seed, number, out)
     shared(traced, len(views), len(views) * paths, given, PATHS_PER_PIECE)
     return out
 
@@ -112,28 +115,26 @@ def through_the_air(
 ) -> np.ndarray:
     """Colours toward views of what paths found in the cloud, with the air before it, (D, C)."""
     channels = clear.shape[1]
-    before, behind, _, _ = np.moveaxis(light.at(views[:, 2], found[:, channels + 1]), 1, 0)
+    before, *_, behind = np.moveaxis(light.at(views[:, 2], found[:, channels + 1]), 1, 0)
     passed = found[:, channels : channels + 1]
     return np.asarray(clear * (passed + (1 - passed) * before) + found[:, :channels] * behind / sun)
 
 
-def laws_of(lit: LitField, share: float = 1.0) -> tuple[np.ndarray, np.ndarray, float]:
-    """The phase function at even angles, the angles at even shares of its integral, and the share scattered."""
-    law, angles = lit.field.kind.phase, np.linspace(0, np.pi, 20 * SHARES)
-    value = np.asarray(law.value(np.cos(angles), [550.0]))[:, 0] * np.sin(angles)
-    whole = np.concatenate([[0.0], np.cumsum(value[1:] + value[:-1])])
-    drawn = np.interp(np.linspace(0, 1, SHARES), whole / whole[-1], angles)
-    return np.ascontiguousarray(lit.phase[0]), drawn, share
+def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]:
+    """What paths are turned by, and `albedo` (C,) of which is scattered."""
+    share = np.broadcast_to(np.asarray(albedo, np.float64), scattering.law.shape[1:])
+    return scattering.law, scattering.evened, scattering.drawn, np.ascontiguousarray(share)
 
 
-def photon_shares(lit: LitField, count: int, share: float = 1.0, seed: int = 0) -> np.ndarray:
+def photon_shares(lit: LitField, count: int, albedo: float = 1.0, seed: int = 0) -> np.ndarray:
     """Of `count` photons from the sun on the field: sent up, down scattered, down straight, absorbed, (4,).
 
-    `share` of what is taken out of the light is scattered, the rest absorbed. The ground is black.
+    `albedo` of what is taken out of the light is scattered, the rest absorbed. The ground is black.
     """
     from skydome.skies.clouds.fields.tracing_kernel import photons
 
     out = np.zeros(4)
     kind = lit.field.kind
-    photons(0, count, lit.field.medium, lit.gaps, lit.steps[0], laws_of(lit, share), lit.sun, kind.period, seed, out)
+    laws = laws_of(lit.scattering(), albedo)
+    photons(0, count, lit.field.medium, lit.gaps, lit.steps[0], laws, lit.sun, kind.period, seed, out)
     return out / count

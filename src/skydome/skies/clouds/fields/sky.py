@@ -29,10 +29,11 @@ CHUNK = 1 << 16
 class CloudySky(WrappedSky, SpectralSky):
     """The `clear` physical sky of one sun with a `field` of cloud in it: spectrum, colour, luminance.
 
-    Light scattered once by the cloud with its true phase function, all higher orders by diffusion in three dimensions;
-    sunlight, skylight and the ground's light on the cloud by the clear sky's air, and that air between cloud and eye.
-    Against paths traced: docs/clouds.md. `sky + SunDisc.of(sky)` has the sun as the cloud leaves it. Cloud is grey
-    and does not absorb. Needs Numba. ValueError for many suns or airs.
+    Light scattered once by the cloud with its particles' phase function by wavelength (corona, bow, glory), all higher
+    orders by diffusion in three dimensions; sunlight, skylight and the ground's light on the cloud by the clear sky's
+    air, and that air between cloud and eye. Against paths traced: docs/clouds.md. `sky + SunDisc.of(sky)` has the sun
+    as the cloud leaves it. Extinction is grey; the near infrared is absorbed. Needs Numba. ValueError for many suns or
+    airs.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)

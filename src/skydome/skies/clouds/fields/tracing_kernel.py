@@ -1,9 +1,10 @@
 # mypy: allow-untyped-defs
 """Paths of light through a field of cloud, compiled: delta tracking (Woodcock et al. 1965), all orders.
 
-`m` is a `field.Medium`; `gaps` (north, east, up) m around that are free of cloud, in cells of width `dx`; `angles` the
-scattering angle at even shares of the phase function's integral. A path's state `p` (6,): place over the field, m, z
-above the base, and direction. Random numbers are a hash of path and event.
+`m` is a `field.Medium`; `gaps` (north, east, up) m around that are free of cloud, in cells of width `dx`; `laws`: the
+phase function (ANGLES, C), the same evened about its peak, angles at even shares of its integral, and the shares that
+are scattered (C,). A path's state `p` (6,): place over the field, m, z above the base, and direction. Random numbers
+are a hash of path and event.
 """
 
 import math
@@ -87,11 +88,13 @@ def angle_drawn(angles, share):
 
 
 @part
-def phase_at(phase, cosine):
-    """The phase function, from its table at even angles."""
-    place = math.acos(min(max(cosine, -1.0), 1.0)) / math.pi * (phase.size - 1)
-    at = min(int(place), phase.size - 2)
-    return phase[at] + (phase[at + 1] - phase[at]) * (place - at)
+def from_sun(law, cosine, left, sun, light, worth):
+    """Add the sun's light (C,), of which `left` comes, turned by a law (ANGLES, C) at pi t^2 for even t."""
+    place = math.sqrt(math.acos(min(max(cosine, -1.0), 1.0)) / math.pi) * (law.shape[0] - 1)
+    at = min(int(place), law.shape[0] - 2)
+    share = place - at
+    for c in range(light.size):
+        light[c] += worth[c] * left * (law[at, c] * (1 - share) + law[at + 1, c] * share) * sun[c]
 
 
 @part
@@ -128,17 +131,19 @@ def off_ground(m, gaps, dx, p, lights, key, light, worth):
 @part
 def followed(m, gaps, dx, p, laws, lights, sky, key, count, light, worth):
     """Follow a path from its first collision on and gather its light, (C,)."""
-    phase, angles, share = laws
+    law, evened, angles, share = laws
     sun, sun_here, _, _ = lights
+    before = False
     while True:
         if count > 0:
             left = reaches(m, gaps, dx, p[0], p[1], p[2], sun, stirred(key + np.uint64(count) * GOLDEN))
-            toward = phase_at(phase, p[3] * sun[0] + p[4] * sun[1] + p[5] * sun[2])
             total = 0.0
             for c in range(light.size):
-                worth[c] *= share
-                light[c] += worth[c] * left * toward * sun_here[c]
+                worth[c] *= share[c]
                 total = max(total, worth[c])
+            cosine = p[3] * sun[0] + p[4] * sun[1] + p[5] * sun[2]
+            from_sun(evened if before else law, cosine, left, sun_here, light, worth)
+            before = True
             if total < 0.05:
                 if uniform(key, count) > 0.5:
                     return
@@ -193,7 +198,7 @@ def traced(first, last, m, directions, gaps, dx, laws, lights, sky, paths, seed,
 @compiled
 def photons(first, last, m, gaps, dx, laws, sun, period, seed, out):
     """Count of photons from the sun: sent up, sent down after scattering, straight through, absorbed, into out (4,)."""
-    angles, share = laws[1], laws[2]
+    angles, share = laws[2], laws[3][0]
     p = np.empty(6)
     for n in range(first, last):
         key = stirred(np.uint64(n) + stirred(np.uint64(seed) * GOLDEN))
