@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from skydome.air.phase_functions import legendre
 from skydome.air.phase_laws import PhaseLaw
+from skydome.air.series.legendre import legendre
 
 ANGLES, SMOOTH, MOMENTS = 1025, 257, 400
 """Angles of tables; of what is blurred; Legendre moments of that."""
