@@ -55,18 +55,9 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     moment = None if true is None else true.seen_from(north)
     sky, notes = build(model, moment, options)
     sky, dimmed = under_eclipse(sky, true)
-    coloured, more = in_colour(sky, moment, options)
     clouds = None if asked.clouds is None else with_clouds(sky, asked)
-    if clouds is None:
-        disc, last = disc_for(model, coloured, moment, options)
-    else:
-        coloured, disc, last = clouds.sky, None if options.no_sun else clouds.disc, clouds.notes
-    disc, size = of_size(disc, options.sun_size)
-    notes = haze + notes + dimmed + more + last + size
-    overcast = None
-    if options.blend_overcast is not None:
-        overcast, note = overcast_for(moment, options)
-        notes.append(note)
+    coloured, disc, more = with_sun(model, sky, moment, options, clouds)
+    overcast, mixed = (None, []) if options.blend_overcast is None else overcast_for(moment, options)
     whole = coloured if disc is None else coloured + disc
     return Scene(
         model.name,
@@ -74,9 +65,22 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
         blended(whole, overcast, options),
         disc,
         true,
-        tuple(dict.fromkeys(notes)),
+        tuple(dict.fromkeys([*haze, *notes, *dimmed, *more, *mixed])),
         clouds,
     )
+
+
+def with_sun(
+    model: "Model", sky: Any, moment: Moment | None, options: SkyOptions, clouds: Clouded | None
+) -> "tuple[ColourSky, SunDisc | None, list[str]]":
+    """The sky in colour, with its clouds, the sun's disc as they leave it, and what was decided."""
+    coloured, more = in_colour(sky, moment, options)
+    if clouds is None:
+        disc, last = disc_for(model, coloured, moment, options)
+    else:
+        coloured, disc, last = clouds.sky, None if options.no_sun else clouds.disc, clouds.notes
+    disc, size = of_size(disc, options.sun_size)
+    return coloured, disc, more + last + size
 
 
 def moment_for(model: "Model", options: SkyOptions) -> Moment | None:
@@ -189,7 +193,7 @@ def of_size(disc: "SunDisc | None", width: float | None) -> "tuple[SunDisc | Non
     return disc.of_size(width / 2 * sd.deg), [f"sun's disc: {width:g} degrees across, its illuminance kept"]
 
 
-def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, str]":
+def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky, list[str]]":
     """The sky under cloud: of the usual level, or of a --cloud-depth; Moon and Spencer's for a --chromaticity."""
     import skydome as sd
     from skydome.skies.colour_sky import SpectralCombination
@@ -210,7 +214,7 @@ def overcast_for(moment: Moment | None, options: SkyOptions) -> "tuple[ColourSky
         level = level if as_usual else own
         sky = SpectralCombination((whole,), (level / own if as_usual else 1.0,))
     share = f"{options.blend_overcast:g} of an overcast sky with {level:.0f} cd m-2 at the zenith"
-    return sky, f"blend: {share}; the sun's disc is dimmed with the clear sky"
+    return sky, [f"blend: {share}; the sun's disc is dimmed with the clear sky"]
 
 
 def blended(sky: Any, overcast: "ColourSky | None", options: SkyOptions) -> Any:

@@ -69,13 +69,9 @@ def render_terrain(
     from skydome.land.picture_kernel import picture_rows
     from skydome.land.rays_kernel import height_at
 
-    require_kind(elevation, Elevation, "elevation", "Elevation(heights, dx=30.0, dy=30.0) or read_elevation(file)")
-    require_kind(camera, Camera, "camera", "Camera(azimuth=270 * deg)")
-    require_kind(sky, Sky, "sky", "HosekWilkie(sun, turbidity=3.0)")
-    require_kind(air, AirLight | WardLarson | None, "air", "AirLight(sky)")
+    require_scene(elevation, camera, sky, air, clouds)
     require_kind(curvature, bool, "curvature", "True")
     require_kind(progress, Callable | None, "progress", "print")  # type: ignore[arg-type]
-    require_kind(clouds, CloudField | None, "clouds", "CloudField(cover=0.4)")
     require_samples(samples)
     require("seed", seed, SEED)
     require_one("seed", seed, whole=True)
@@ -89,20 +85,33 @@ def render_terrain(
     shade = shade_of(clouds, disc[0], z - camera.above_ground)
     sunlight = (*disc, shade)
     lit = lit_slopes(ground, rest, sunlight, surface[3])
-    through = air_for(air, z - base)
+    background, view = background_of(sky, camera, float(shade.share[0, 0])), view_of(camera, u, v, z)
     height, width = camera.shape
-    right, up, forward = camera.axes
-    background = background_of(sky, camera, float(shade.share[0, 0]))
-    half = camera.pixel / 2
-    view = (u, v, float(z), forward, right * (half * width), up * (half * height), width, height)
     rgb, depth = np.zeros((height, width, 3), np.float32), np.zeros((height, width))
-    given = (ground, view, samples, seed, background, sunlight, lit, surface, through, rgb, depth)
+    given = (ground, view, samples, seed, background, sunlight, lit, surface, air_for(air, z - base), rgb, depth)
     for first in range(0, height, ROWS_AT_A_TIME):
         last = min(first + ROWS_AT_A_TIME, height)
         shared(lambda a, b, start=first: picture_rows(start + a, start + b, *given), last - first, last - first, (), 1)
         if progress is not None:
             progress(last, height)
     return TerrainPicture(rgb, depth.astype(np.float32))
+
+
+def require_scene(elevation: Any, camera: Any, sky: Any, air: Any, clouds: Any) -> None:
+    """TypeError for what is no land, camera, sky, air or field of cloud."""
+    require_kind(elevation, Elevation, "elevation", "Elevation(heights, dx=30.0, dy=30.0) or read_elevation(file)")
+    require_kind(camera, Camera, "camera", "Camera(azimuth=270 * deg)")
+    require_kind(sky, Sky, "sky", "HosekWilkie(sun, turbidity=3.0)")
+    require_kind(air, AirLight | WardLarson | None, "air", "AirLight(sky)")
+    require_kind(clouds, CloudField | None, "clouds", "CloudField(cover=0.4)")
+
+
+def view_of(camera: Camera, u: float, v: float, z: float) -> tuple[Any, ...]:
+    """What the kernel needs of a camera at cells (u, v) and height z."""
+    height, width = camera.shape
+    right, up, forward = camera.axes
+    half = camera.pixel / 2
+    return u, v, float(z), forward, right * (half * width), up * (half * height), width, height
 
 
 def require_samples(samples: int) -> None:

@@ -211,23 +211,27 @@ def outer_labels(unit: str, last: Last = (), directions: str = "normal") -> Call
             door, planes = Door.of(given), Door.of(normals)
             if door.named or planes.named:  # axes of one name are one axis; those of pandas stand apart
                 Door.of(given + normals)
-
-            def on_dome(value: Any, core: int) -> Any:
-                return dome_axis(door.array(value, core), core) if is_labelled(value) else value
-
-            held["sky"] = changed(held["sky"], on_dome)
+            held["sky"] = with_dome_axes(held["sky"], door)
             if normals:
                 held[directions] = planes.array(normal, 1)
-            rest = planes.axes or tuple(
-                Axis(directions, None, length) for length in np.shape(() if normal is None else normal)[:-1]
-            )
             ends = last_of(last, held) if wavelengths is None else wavelength_axis(wavelengths)
-            joint = Door(door.axes + rest, door.named or planes.named)
+            joint = Door(door.axes + axes_of(normal, planes, directions), door.named or planes.named)
             return joint.answer(function(**held), ends, function.__name__, unit)
 
         return cast(Function, called)
 
     return decorated
+
+
+def with_dome_axes(sky: Any, door: Door) -> Any:
+    """A sky whose labelled parameters are plain arrays with an axis of 1 for the directions of the dome."""
+    return changed(sky, lambda value, core: dome_axis(door.array(value, core), core) if is_labelled(value) else value)
+
+
+def axes_of(directions: Any, door: Door, name: str) -> tuple[Axis, ...]:
+    """The axes of directions (..., 3): their labels', or as many without labels, of a name."""
+    lengths = np.shape(() if directions is None else directions)[:-1]
+    return door.axes or tuple(Axis(name, None, length) for length in lengths)
 
 
 def dome_axis(values: np.ndarray, core: int) -> np.ndarray:

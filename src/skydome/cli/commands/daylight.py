@@ -35,13 +35,8 @@ def daylight(
     from skydome.years.metrics.signed import metrics_of, write_points
     from skydome.years.weather.reading import read_weather
 
-    if (coefficients is None) == (mesh is None):
-        raise ValueError("give either --coefficients total.mtx or --mesh room.obj --points desks.pts")
-    if mesh is None:
-        of_mesh = {"points": points, "reflectance": reflectance, "transmittance": transmittance}
-        refuse_idle(of_mesh, {"points": None, "reflectance": 0.5, "transmittance": 1.0}, "without --mesh")
-    else:
-        refuse_idle({"direct": direct, "suns": suns}, {"direct": None, "suns": None}, "without --coefficients")
+    of_mesh = {"points": points, "reflectance": reflectance, "transmittance": transmittance}
+    require_one_way(coefficients, {"direct": direct, "suns": suns}, mesh, of_mesh)
     if not 0 < transmittance <= 1 or not 0 <= ground <= 1 or not target > 0:
         raise ValueError(
             "--transmittance must lie in (0, 1], --ground in [0, 1], --target above 0, "
@@ -64,6 +59,18 @@ def daylight(
     facts["files"] = [] if output is None else [str(output)]
     facts["notes"] = [str(warning.message) for warning in caught if warning.category is UserWarning]
     show(facts, rows_of(facts), as_json)
+
+
+def require_one_way(
+    coefficients: Path | None, with_them: dict[str, Any], mesh: Path | None, with_it: dict[str, Any]
+) -> None:
+    """ValueError unless the room is told in one way, by coefficients or by a mesh, and by the options of that way."""
+    if (coefficients is None) == (mesh is None):
+        raise ValueError("give either --coefficients total.mtx or --mesh room.obj --points desks.pts")
+    if mesh is None:
+        refuse_idle(with_it, {"points": None, "reflectance": 0.5, "transmittance": 1.0}, "without --mesh")
+    else:
+        refuse_idle(with_them, {"direct": None, "suns": None}, "without --coefficients")
 
 
 def from_coefficients(

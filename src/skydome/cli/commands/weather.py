@@ -39,21 +39,16 @@ def weather(
 
     With --downscale its hours, repaired first where --repair is asked for too, become minutes of the same energy.
     """
-    from skydome.figures.skies import FORMATS, save_figure
     from skydome.sun.place import Place
     from skydome.years.quality.repaired_file import write_repaired
     from skydome.years.quality.repairs import repaired
     from skydome.years.quality.report import quality
     from skydome.years.weather.reading import read_weather
 
-    require_output(repair, "--repair", (".epw", ".csv", ".gz"), file)
-    require_output(downscale, "--downscale", (".wea",), file)
+    require_files(file, repair, downscale, plot)
     if downscale is None:
         refuse_idle({"step": step, "seed": seed}, {"step": "5min", "seed": 0}, "without --downscale")
-    require_output(plot, "a plot's file", FORMATS)
     fine = minutes_of(step)
-    if plot is not None:
-        required("matplotlib", "plot", "a plot")
     moved: Any = minutes(shift)
     spot = None if place is None else Place.parse(place)
     with warnings.catch_warnings(record=True) as caught, progress("a look at the weather"):
@@ -69,12 +64,29 @@ def weather(
         if downscale is not None:
             facts["downscaled"] = write_downscaled(record, downscale, fine, seed)
         if plot is not None:
-            from skydome.figures.weather import weather_figure
-
-            save_figure(weather_figure(report), plot)
+            draw(report, plot)
     facts["notes"] = [str(warning.message) for warning in caught if warning.category is UserWarning]
     facts["files"] = [str(path) for path in (repair, downscale, plot) if path is not None]
     show(facts, rows_of(facts), as_json)
+
+
+def require_files(file: Path, repair: Path | None, downscale: Path | None, plot: Path | None) -> None:
+    """ValueError for files that cannot be written, or in whose place the weather that is read lies."""
+    from skydome.figures.skies import FORMATS
+
+    require_output(repair, "--repair", (".epw", ".csv", ".gz"), file)
+    require_output(downscale, "--downscale", (".wea",), file)
+    require_output(plot, "a plot's file", FORMATS)
+    if plot is not None:
+        required("matplotlib", "plot", "a plot")
+
+
+def draw(report: Any, path: Path) -> None:
+    """Save the record's picture."""
+    from skydome.figures.skies import save_figure
+    from skydome.figures.weather import weather_figure
+
+    save_figure(weather_figure(report), path)
 
 
 def minutes_of(step: str) -> int:

@@ -16,7 +16,14 @@ from skydome.ground.limits.sizes import MOST_WORKERS
 
 ENDINGS = {".zarr": "zarr", ".nc": "h5netcdf", ".mtx": "xarray"}
 """Endings of the file to write, and the library that each needs."""
-PLAIN = {"workers": 2, "turbidity": 3.0}
+PLAIN = {
+    "weather_folder": None,
+    "scheduler": None,
+    "workers": 2,
+    "turbidity": 3.0,
+    "ascii": False,
+    "sun_in_patch": False,
+}
 """Defaults of options that may change nothing."""
 
 
@@ -73,29 +80,14 @@ def year(
     require_output(output, "-o", tuple(ENDINGS), overwrite=overwrite, goes_on=sites)
     require_outputs(suns, plot, kinds)
     check_extras(output, plot)
-    if not sites:
-        alone: dict[str, Any] = {"weather_folder": weather_folder, "scheduler": scheduler, "workers": workers}
-        refuse_idle(alone, dict.fromkeys(alone) | PLAIN, "without a table of sites")
-    matrix = output is not None and output.suffix.lower() == ".mtx"
-    refuse_idle({"ascii": ascii_text and not matrix}, {"ascii": False}, "without -o year.mtx")
-    refuse_idle({"sun_in_patch": sun_in_patch and not matrix}, {"sun_in_patch": False}, "without -o year.mtx")
-    refuse_idle({"turbidity": turbidity if colour is None else 3.0}, PLAIN, "without --colour")
+    given = {"weather_folder": weather_folder, "scheduler": scheduler, "workers": workers, "turbidity": turbidity}
+    refuse_unused(given | {"ascii": ascii_text, "sun_in_patch": sun_in_patch}, sites, output, colour)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         if sites:
-            alone = {
-                **reading,
-                "colour": colour,
-                "wavelengths": wavelengths,
-                "suns": suns,
-                "plot": plot,
-                "kinds": kinds,
-            }
-            alone["sun_in_patch"] = sun_in_patch
-            plain = dict.fromkeys(alone) | {"utc_offset": 0.0, "sun_in_patch": False}
-            refuse_idle(alone, plain, "for a table of sites")
+            alone = {"colour": colour, "wavelengths": wavelengths, "suns": suns, "plot": plot, "kinds": kinds}
+            require_sites(reading | alone | {"sun_in_patch": sun_in_patch})
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
-            required("dask.distributed", "scale", "the years of many sites")
             facts = many(weather, output, weather_folder, scheduler, workers, choices)
         else:
             facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot, kinds, overwrite)
@@ -104,6 +96,24 @@ def year(
     show_facts(facts, as_json)
     if facts.get("failed"):
         raise ValueError(f"{facts['failed']} of the sites could not be done; see the notes")
+
+
+def refuse_unused(given: dict[str, Any], sites: bool, output: Path | None, colour: str | None) -> None:
+    """ValueError for options that would change nothing where there is no table of sites, no matrix or no colour."""
+    matrix = output is not None and output.suffix.lower() == ".mtx"
+    for used, names, why in (
+        (sites, ("weather_folder", "scheduler", "workers"), "without a table of sites"),
+        (matrix, ("ascii", "sun_in_patch"), "without -o year.mtx"),
+        (colour is not None, ("turbidity",), "without --colour"),
+    ):
+        if not used:
+            refuse_idle({name: given[name] for name in names}, PLAIN, why)
+
+
+def require_sites(alone: dict[str, Any]) -> None:
+    """ValueError for options of one weather file (`alone`) beside a table of sites; ImportError without Dask."""
+    refuse_idle(alone, dict.fromkeys(alone) | {"utc_offset": 0.0, "sun_in_patch": False}, "for a table of sites")
+    required("dask.distributed", "scale", "the years of many sites")
 
 
 def require_outputs(suns: Path | None, plot: Path | None, kinds: Path | None) -> None:
