@@ -166,6 +166,11 @@ KERNEL_PAIRS = (
         "skies/path_tracing/test_many_suns.py::test_many_suns_agree_with_next_event_estimation",
     ),
     Pair(
+        "skies.all_air.from_heights.views:Places",
+        "skies.all_air.from_heights.views_kernel:given_off",
+        "skies/all_air/test_from_heights.py::test_what_air_gives_off_is_the_same_compiled",
+    ),
+    Pair(
         "skies.physical.precomputed.grid:views",
         "skies.physical.precomputed.lookup_kernel:add_scattering",
         "skies/physical/precomputed/test_precomputed.py::test_a_table_gives_its_own_values_at_its_nodes",

@@ -10,8 +10,11 @@ import skydome as sd
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Molecules
 from skydome.ground.quadrature import hemisphere
+from skydome.skies.all_air.from_heights.diffuse_field import SUNS
 from skydome.skies.all_air.from_heights.harmonics import associated
+from skydome.skies.all_air.from_heights.views import Places
 from skydome.skies.physical import layers
+from skydome.skies.physical.precomputed.observer import lines
 
 W = np.array([450.0, 550.0, 700.0])
 AIR = replace(sd.Atmosphere.standard(0.3, 0.7, albedo=0.6), gases=None)
@@ -108,6 +111,15 @@ def test_views_along_the_haze_by_paths():
 
 
 PATHS = [0.06319, 0.06781, 0.06942, 0.06931]
+
+
+def test_what_air_gives_off_is_the_same_compiled():
+    pytest.importorskip("numba")
+    views, sun = sd.direction(np.linspace(0, 3, 40), np.linspace(-1.5, 1.5, 40)), sd.direction(0.0, 0.2)
+    line = lines(field().shell, 3000.0, views, sun)
+    places = Places.of(field().air, line, field().heights, SUNS)
+    readable, compiled = (of(field().air, field().moments) for of in (places.seen, places.compiled))
+    np.testing.assert_allclose(compiled, readable, rtol=1e-12)
 
 
 def test_the_beam_brightens_with_height():

@@ -7,24 +7,22 @@ from typing import Any, Self
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.rays import ColumnTable, rays
+from skydome.air.rays import ColumnTable
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
-from skydome.ground.interpolation import cells
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.from_heights.blunted import BluntedAir
 from skydome.skies.all_air.from_heights.harmonics import associated
 from skydome.skies.all_air.from_heights.layers import FlatLayers
+from skydome.skies.all_air.from_heights.views import Places, roots
 from skydome.skies.physical.precomputed.grid import Shell, shell_of
 from skydome.skies.physical.precomputed.observer import Lines
 from skydome.skies.physical.precomputed.tables import LOWEST_SUN, spectrum_of_tables
 
 TERMS = 12
 """Legendre moments, and waves in the azimuth."""
-ROOTS = np.linspace(-2.45, np.sqrt(90.0), 48)
-"""Suns, as roots of their elevations in degrees."""
-SAMPLES = 48
-"""Of a view's way through the air."""
+SUNS = np.sign(EVEN := np.linspace(-2.45, np.sqrt(90.0), 48)) * EVEN**2
+"""Elevations of the suns, degrees: even in their roots."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,8 +43,10 @@ class DiffuseField:
     wavelengths: np.ndarray
     air: BluntedAir
     columns: ColumnTable
-    moments: list[np.ndarray]
-    """For each wave m of the azimuth, moments m ... L - 1 of light that is scattered, (heights, suns, L - m, W)."""
+    moments: np.ndarray
+    """Of light that comes from all sides: for each wave m of the azimuth those of degrees m ... L - 1, all in a row,
+    (heights, suns, L (L + 1) / 2, W).
+    """
     ground: np.ndarray
     """Irradiance of the ground, sun and sky together, (suns, W)."""
 
@@ -64,7 +64,8 @@ class DiffuseField:
         level = sunlight(table, air, np.zeros(1), suns)[:, 0] * np.maximum(suns, 0.0)[:, None]
         ground, first = even(layers, sunny, level)
         waves = [first, *(waving(layers, sunny, wave) for wave in range(1, TERMS))]
-        return cls(atmosphere, w, air, table, [np.moveaxis(wave, (0, 3), (3, 1)) for wave in waves], ground.T)
+        moments = np.concatenate([np.moveaxis(wave, (0, 3), (3, 1)) for wave in waves], axis=2)
+        return cls(atmosphere, w, air, table, np.ascontiguousarray(moments), ground.T)
 
     @cached_property
     def shell(self) -> Shell:
@@ -78,55 +79,21 @@ class DiffuseField:
 
     def again(self, line: Lines) -> Array:
         """Light (N, W) along lines that is scattered more than once, sr-1."""
-        path = rays(self.atmosphere, line.radius, line.mu, SAMPLES)
-        reached = self.atmosphere.radius + path.height
-        up = np.clip((line.radius * line.mu)[:, None] + path.distance, -reached, reached) / reached
-        sun = np.clip(((line.radius * line.mu_s)[:, None] + path.distance * line.nu[:, None]) / reached, -1.0, 1.0)
-        level = np.sqrt((1 - up * up) * (1 - sun * sun))
-        turn = np.arccos(np.clip((line.nu[:, None] - up * sun) / np.maximum(level, 1e-9), -1.0, 1.0))
-        left = np.exp(-(np.moveaxis(path.column, 0, -1) @ self.air.depths))
-        meets = np.moveaxis(path.density * path.step, 0, -1)
-        scatters = [meets @ self.air.moments[:, degree] * left for degree in range(TERMS)]
-        corners, light = self.corners(path.height, sun), np.zeros((line.nu.size, self.wavelengths.size))
-        for wave, moments in enumerate(self.moments):
-            functions = associated(TERMS, wave, up) * np.cos(wave * turn)
-            flat = moments.reshape(-1, *moments.shape[2:])
-            for degree, function in enumerate(functions):
-                comes = sum(share[..., None] * flat[place, degree] for place, share in corners)
-                light += (function[..., None] * scatters[wave + degree] * comes).sum(axis=1)
-        return light
-
-    def corners(self, heights: Array, sun: Array) -> list[tuple[Array, Array]]:
-        """Of the moments about heights and sines of the sun (...,), the flat places and shares of four."""
-        row, above = cells(self.heights, np.minimum(heights, self.heights[-1]))
-        column, on = cells(ROOTS, np.clip(roots(sun), ROOTS[0], ROOTS[-1]))
-        first = row * ROOTS.size + column
-        return [
-            (first, (1 - above) * (1 - on)),
-            (first + 1, (1 - above) * on),
-            (first + ROOTS.size, above * (1 - on)),
-            (first + ROOTS.size + 1, above * on),
-        ]
+        return Places.of(self.air, line, self.heights, SUNS).seen(self.air, self.moments)
 
     def falling(self, cos_sun: Array) -> Array:
         """Irradiance of the ground under suns (N,), sun and sky together, for a sun of 1, (N, W)."""
-        column, on = cells(ROOTS, np.clip(roots(cos_sun), ROOTS[0], ROOTS[-1]))
-        return np.asarray((1 - on)[:, None] * self.ground[column] + on[:, None] * self.ground[column + 1])
+        elevation = np.degrees(np.arcsin(np.clip(cos_sun, -1.0, 1.0)))
+        return np.stack([np.interp(roots(elevation), roots(SUNS), light) for light in self.ground.T], axis=-1)
 
     def spectrum(self, wavelengths: np.ndarray) -> Array:
         """How light at wavelengths (W,) follows from that at the field's own, (nodes, W)."""
         return spectrum_of_tables(self.wavelengths, wavelengths)
 
 
-def roots(sine: Array) -> Array:
-    """The measure of suns in which `ROOTS` are even, of sines of their elevations."""
-    degrees = np.degrees(np.arcsin(sine))
-    return np.asarray(np.sign(degrees) * np.sqrt(np.abs(degrees)))
-
-
 def sines() -> np.ndarray:
     """Sines of the elevations of the suns, (S,)."""
-    return np.asarray(np.sin(np.radians(np.sign(ROOTS) * ROOTS**2)))
+    return np.asarray(np.sin(np.radians(SUNS)))
 
 
 def sunlight(table: ColumnTable, air: BluntedAir, heights: np.ndarray, suns: np.ndarray) -> Array:

@@ -1,8 +1,23 @@
 """Legendre's associated functions, so scaled that their sums make the polynomial of an angle between two directions."""
 
+from functools import cache
+
 import numpy as np
 
 from skydome.ground.arrays import Array
+
+
+@cache
+def norms(terms: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of each wave m what the first function takes from that of m - 1, (terms,); of each wave m and degree l what the
+    one takes from l - 1, times the cosine, and from l - 2, (terms, terms) each.
+    """
+    wave, degree = np.arange(terms, dtype=np.float64)[:, None], np.arange(terms, dtype=np.float64)
+    norm = np.sqrt(np.maximum(degree**2 - wave**2, 1e-300))
+    last = np.sqrt(np.maximum((degree - 1) ** 2 - wave**2, 0.0))
+    begin = np.sqrt(np.maximum(2 * degree - 1, 0.0) / np.maximum(2 * degree, 1.0))
+    above = degree > wave
+    return begin, np.where(above, (2 * degree - 1) / norm, 0.0), np.where(above, last / norm, 0.0)
 
 
 def associated(terms: int, wave: int, cosine: np.ndarray) -> Array:
@@ -16,13 +31,13 @@ def associated(terms: int, wave: int, cosine: np.ndarray) -> Array:
     >>> bool(np.isclose(sum(both), (3 * angle**2 - 1) / 2))
     True
     """
+    begin, ahead, behind = norms(terms)
     level, first = np.sqrt(np.maximum(1 - cosine * cosine, 0.0)), np.ones_like(cosine)
     for k in range(1, wave + 1):
-        first = first * level * np.sqrt((2 * k - 1) / (2 * k))
+        first = first * level * begin[k]
     found, before = [first], np.zeros_like(first)
     for degree in range(wave + 1, terms):
-        norm, last = np.sqrt(degree**2 - wave**2), np.sqrt((degree - 1) ** 2 - wave**2)
-        here = ((2 * degree - 1) * cosine * found[-1] - last * before) / norm
+        here = ahead[wave, degree] * cosine * found[-1] - behind[wave, degree] * before
         before = found[-1]
         found.append(here)
     return np.stack(found)
