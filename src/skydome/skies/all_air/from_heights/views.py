@@ -1,4 +1,4 @@
-"""What the air gives off along views, of light that comes from all sides: in NumPy, or compiled where there are many."""
+"""What the air gives off along views, of light that comes from all sides: NumPy, or compiled where there are many."""
 
 from typing import NamedTuple
 
