@@ -136,6 +136,14 @@ def test_the_functions_are_orthonormal():
         np.testing.assert_allclose((table * w) @ table.T * norm, np.eye(8 - wave), atol=1e-12)
 
 
+def test_the_lowest_sun_is_held_itself():
+    """Light at -4 degrees goes on from that just above (before: what is scattered once alone)."""
+    lit = [
+        sd.SkyFromHeight.by(field(), sd.direction(0.0, e * sd.deg), 10.0).radiance(sd.ZENITH, W) for e in (-4, -3.99)
+    ]
+    np.testing.assert_allclose(lit[0], lit[1], rtol=0.02)
+
+
 def test_refusals():
     for height in (-1.0, float("nan")):
         with pytest.raises(ValueError, match="height must lie in"):

@@ -130,7 +130,7 @@ class TabledSky(AtmosphereSky):
         for start in range(0, len(seen), RAYS):
             part = seen[start : start + RAYS]
             line = lines(shell, self.height, views[part], sun)
-            held = line.mu_s > np.sin(np.radians(self.lowest))
+            held = line.mu_s >= np.sin(np.radians(self.lowest)) - 1e-12  # as in `is_day`
             found[part] = held[:, None] * (self.known.again(line) @ between) + self.once(line, wavelengths, between)
         return found
 
