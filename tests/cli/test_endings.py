@@ -125,3 +125,29 @@ def test_leftovers_of_a_killed_run_are_swept(call, tmp_path):
     (tmp_path / f".skydome-{machine()}-{gone.pid}-0123456789abcdef.part").touch()
     assert call("render", "--sun", "180,40", "--height", 16, "-o", tmp_path / "a.exr").exit_code == 0
     assert [path.name for path in tmp_path.iterdir()] == ["a.exr"]
+
+
+IGNORED = """
+import os, signal, time
+from skydome.cli.endings import end_on_signals, ending
+
+class Late:
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGTERM)
+        for _ in range(1000):
+            pass
+
+end_on_signals()
+with ending("skydome"):
+    Late()
+    time.sleep(20)
+print("went on")
+"""
+
+
+def test_a_request_to_end_that_python_ignores_is_made_again():
+    """In a finalizer an exception is told and forgotten; a command went on for good after SIGTERM."""
+    start = time.monotonic()
+    done = subprocess.run([sys.executable, "-c", IGNORED], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (128 + signal.SIGTERM, "", "")
+    assert time.monotonic() - start < 15

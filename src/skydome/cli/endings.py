@@ -6,9 +6,11 @@ import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from threading import Timer
 from typing import Any
 
-BAD_INPUT, INTERRUPTED = 2, 130
+BAD_INPUT, SIGNALLED, INTERRUPTED = 2, 128, 130
+AGAIN = 0.1  # s after which a request to end that was ignored is made again
 DEBUG, MEMORY = "--debug", "--max-memory"
 REPORT = f"please report this with the command and what {DEBUG} shows"
 FORESEEN = (ValueError, TypeError, ImportError)
@@ -30,6 +32,8 @@ def ending(program: str, debug: bool = False) -> Iterator[None]:
         leave(INTERRUPTED)
     except BrokenPipeError:
         leave(0)
+    except AskedToEnd as asked:
+        leave_in_silence(asked.number)
     except SystemExit as left:
         if not isinstance(left.__context__, BrokenPipeError):  # in which typer and rich leave with 1
             raise
@@ -51,6 +55,15 @@ def leave(code: int) -> None:
         except (OSError, ValueError):
             with suppress(OSError, ValueError):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    sys.exit(code)
+
+
+def leave_in_silence(code: int) -> None:
+    """Exit; what libraries clear away at the very end, and complain of, is heard by nobody."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     sys.exit(code)
 
 
@@ -91,12 +104,40 @@ def complain(program: str, words: str) -> None:
         print(f"{program}:", " ".join(words.split()), file=sys.stderr, flush=True)
 
 
+class AskedToEnd(SystemExit):
+    """A signal asks the process to end."""
+
+    def __init__(self, signal_number: int) -> None:
+        super().__init__(SIGNALLED + signal_number)
+        self.signal, self.number = signal_number, SIGNALLED + signal_number
+
+
 def end_on_signals() -> None:
-    """Let a request to end (SIGTERM, SIGHUP) clear up like an interrupt: no half-written file stays."""
+    """Let a request to end (SIGTERM, SIGHUP) clear up like an interrupt: no half-written file stays.
+
+    Where it comes while Python clears an object away, or calls back from C, Python ignores it: then it is made again.
+    """
+
+    def asked(got: int, _: Any) -> None:
+        raise AskedToEnd(got)
+
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is signal.SIG_DFL:
-            signal.signal(number, lambda got, _: sys.exit(128 + got))
+            signal.signal(number, asked)
+    sys.unraisablehook = ask_again
+
+
+def ask_again(ignored: Any) -> None:
+    """What Python had to ignore is told as ever, but for requests to end and interrupts, which are made again."""
+    error = ignored.exc_value
+    if not isinstance(error, AskedToEnd | KeyboardInterrupt):
+        sys.__unraisablehook__(ignored)
+        return
+    number = error.signal if isinstance(error, AskedToEnd) else signal.SIGINT
+    again = Timer(AGAIN, os.kill, (os.getpid(), number))
+    again.daemon = True
+    again.start()
 
 
 def sentence_of(error: BaseException) -> str:

@@ -1,5 +1,6 @@
 """Dask's workers: those of a scheduler, reached within a time limit, or processes of this machine."""
 
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -25,7 +26,8 @@ def cluster_client(purpose: str, scheduler: str | None, workers: int) -> Iterato
         if workers < 1:
             raise ValueError(f"workers must be 1 or more, got {workers}")
         require_count(workers, MOST_WORKERS, "workers")
-        choices = {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+        quiet = {"silence_logs": logging.CRITICAL}  # what goes wrong is raised, or computed again
+        choices = quiet | {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
         with LocalCluster(**choices) as local, Client(local) as client:
             yield client
         return
