@@ -88,7 +88,7 @@ def address_of(sky: Sky) -> str:
             raise ValueError(f"the explorer shows one sky: parameters must be single numbers, got suns of {sun.shape}")
         told["sun"] = f"{plain(azimuth(sun) / deg)},{plain(elevation(sun) / deg)}"
     for name, key in KEYS.items():
-        value = getattr(inner, name, None)
+        value: Any = getattr(inner, name, None)
         if np.asarray(value).dtype.kind in "fiu" and np.ndim(value) == 0:
             told[key] = plain(value)
     if isinstance(inner, Perez) and inner.illuminance is not None:

@@ -150,6 +150,15 @@ def test_a_dark_sky_ends_without_a_black_line():
     assert horizon > 2 * ground
 
 
+def test_a_night_is_as_turbid_as_a_day_may_be():
+    moment = (sd.Place(45, 7), "2026-11-29T23:00+00:00")
+    clear, turbid = (sd.sky_at(*moment, air=sd.Atmosphere.from_turbidity(t)) for t in (8.0, 10.0))
+    zenith = np.array([0.0, 0.0, 1.0])
+    assert 0.9 < turbid.luminance(zenith) / clear.luminance(zenith) < 1.1
+    with pytest.raises(ValueError, match="optical depth of aerosol"):  # refused as by day
+        sd.sky_at(*moment, air=sd.Atmosphere.from_turbidity(12.0)).luminance(zenith)
+
+
 def test_the_sun_in_v():
     """Willmer 2018."""
     from skydome.skies.night.magnitudes import V_BANDS, V_ZERO, v_weights
