@@ -36,7 +36,7 @@ class DiffuseField:
     >>> field = DiffuseField.of(sd.Atmosphere.standard(), [450.0, 650.0])
     >>> sunlit = field.falling(np.sin(np.radians([5.0, 60.0])))  # irradiance of the ground, sun and sky
     >>> sunlit.round(2).tolist()
-    [[0.04, 0.05], [0.76, 0.77]]
+    [[0.04, 0.05], [0.77, 0.82]]
     """
 
     atmosphere: Atmosphere
