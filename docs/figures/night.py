@@ -15,7 +15,7 @@ SIZE, INSET = 360, 76
 NORTH, SOUTH, SPAIN = sd.Place(50.0, 15.0), sd.Place(-35.0, 15.0), sd.Place(41.65, -0.88)
 HOURS = (
     ("50 N, full moon, 3 January, 22 h", NORTH, "2026-01-03T22:00Z", "moon"),
-    ("50 N, young moon, 18 April, 19 h", NORTH, "2026-04-18T19:00Z", "moon"),
+    ("50 N, young moon, 19 April, 19 h", NORTH, "2026-04-19T19:00Z", "moon"),
     ("Zaragoza, 12 August, 18:25, before totality", SPAIN, "2026-08-12T18:25Z", "sun"),
     ("50 N, new moon, 18 January, 22 h", NORTH, "2026-01-18T22:00Z", None),
     ("50 N, 16 April, 23:30", NORTH, "2026-04-16T23:30Z", None),

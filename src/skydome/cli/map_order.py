@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.map_file import FileOptions, file_facts, file_rows
-from skydome.cli.numbers_of_light import amount, light_facts, light_rows, notes_row
+from skydome.cli.numbers_of_light import amount, light_facts, light_rows, lit_by, notes_row
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
 
@@ -154,11 +154,6 @@ def order_rows(facts: dict[str, Any]) -> dict[str, str]:
             f"{lamp['angle_deg']:.3f}° across"
         )
     return rows | notes_row(facts["notes"])
-
-
-def lit_by(facts: dict[str, Any]) -> str:
-    """What the lamp of a scene is: the sun, or the moon when the sun has set."""
-    return "moon" if "moon" in facts["parameters"].get("parts", "").split(", ") else "sun"
 
 
 def space_named(name: str, layout: "Target") -> Any:

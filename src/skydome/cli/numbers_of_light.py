@@ -105,7 +105,7 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
     rows |= sky_rows(facts) | {
         "zenith luminance": f"{amount(facts['zenith_luminance_cd_m2'])} cd m-2" + in_v(facts),
         "diffuse horizontal": f"{amount(light['diffuse'])} lx",
-        "direct horizontal": f"{amount(light['direct'])} lx ({amount(light['direct_normal'])} lx facing the sun)",
+        "direct horizontal": f"{amount(light['direct'])} lx" + facing(facts),
         "global horizontal": f"{amount(light['global'])} lx",
         **energy_rows(facts),
         "colour temperature": ", ".join(
@@ -113,6 +113,22 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
         ),
     }
     return rows | notes_row(facts["notes"])
+
+
+def facing(facts: dict[str, Any]) -> str:
+    """Direct light on what faces the sun, or the moon of a night, for people; nothing where no disc shines."""
+    normal = facts["illuminance_lx"]["direct_normal"]
+    return f" ({amount(normal)} lx facing the {lit_by(facts)})" if normal else ""
+
+
+def lit_by(facts: dict[str, Any]) -> str:
+    """Whose disc gives direct light: the sun's, or the moon's when the sun has set.
+
+    >>> lit_by({"parameters": {"parts": "moonlight, moon, airglow"}}), lit_by({"parameters": {}})
+    ('moon', 'sun')
+    """
+    parts = facts["parameters"].get("parts", "").split(", ")
+    return "moon" if "moon" in parts and "sun" not in parts else "sun"
 
 
 def in_v(facts: dict[str, Any]) -> str:

@@ -41,6 +41,24 @@ def test_full_moon_at_55_degrees_gives_a_fifth_to_a_third_of_a_lux():
     assert 0.2 < whole < 0.3
 
 
+def test_a_half_moon_gives_a_tenth_of_a_full_one():
+    """On the level at 60 degrees and one distance; Krisciunas and Schaefer 1991, eq. 20, has .097 for either half."""
+    place, times = sd.Place(0.0, 0.0), ("2025-03-14T02:00Z", "2025-07-02T19:50Z", "2025-08-16T04:20Z")
+    phases = [sd.moon_phase(place, time) for time in times]
+    angles = np.array([float(phase.phase_angle) for phase in phases]) / deg
+    np.testing.assert_allclose(angles, [2.7, 90.0, 90.0], atol=0.3)
+    np.testing.assert_allclose([phase.direction[2] for phase in phases], np.sin(60 * deg), atol=0.01)
+    light = [float(sd.illuminance(Moonlight.over(place, time) + MoonDisc.over(place, time))) for time in times]
+    full, waxing, waning = (
+        lux * (float(phase.distance) / 384_400e3) ** 2 for lux, phase in zip(light, phases, strict=True)
+    )
+    magnitudes = 0.026 * angles + 4e-9 * angles**4
+    print(f"full {full:.3f} lx, waxing half {waxing / full:.3f}, waning half {waning / full:.3f} of it")
+    assert 0.2 < full < 0.3
+    assert waning < waxing  # more of the maria are lit
+    assert (waxing + waning) / 2 / full == pytest.approx(10 ** (-0.4 * (magnitudes[1] - magnitudes[0])), rel=0.2)
+
+
 def test_moonlight_is_sunlight_made_weaker():
     phase = sd.moon_phase(PLACE, FULL)
     moonlit = Moonlight.under(phase)

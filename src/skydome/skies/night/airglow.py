@@ -18,7 +18,8 @@ MEAN_FLUX = 140.0
 """... in the middle of the solar cycle, solar flux units."""
 
 MEAN_OF_A_CYCLE = 100.0
-"""What the flux is where nobody says: cycle 24 (2009-2019) had about 98, cycles 19-23 129 (Noll et al. 2012)."""
+"""What the flux is where nobody says: cycle 24 had 98 (the mean of Penticton's daily values, December 2008 to November
+2019), cycles 19-23 129 (Noll et al. 2012)."""
 
 CONTINUUM = {440.0: 1.3, 545.0: 1.0, 600.0: 1.4, 650.0: 1.5, 720.0: 4.7}
 """What the rest, hydroxyl's bands included, has at wavelengths, nm, over that at 545 nm.

@@ -78,7 +78,7 @@ def sky_at(
     Physical sky and the sun's disc, moonlit sky and the moon's disc, planets, stars (extra `night`), fainter
     starlight, zodiacal light, airglow by `solar_flux` (10.7 cm), and the `glow` of towns where one is given. The sun is
     dimmed by an eclipse. `only`: some parts, by name, or one. Stars need the extra `night`, else a note says so.
-    `clouds`: an overcast, a `Cloud` or its optical depth of 5 or more, through which each part's light comes spread.
+    `clouds`: an overcast, a `Cloud` or its optical depth, 5-60, through which each part's light comes spread.
 
     >>> import skydome as sd
     >>> noon = sky_at(sd.Place(50.0, 8.0), "2026-06-29T12:00Z")
