@@ -1,6 +1,7 @@
 """The physical sky's speed, processor seconds, beside Hosek and Wilkie's in the same run: table, maps, a year of suns.
 
     PYTHONPATH=src python benchmarks/physical.py
+    PYTHONPATH=src python benchmarks/physical.py suns     new suns alone, in air of one lobe and of a Mie law
 
 Processor time (all threads), least of several. The first map of a new process is timed in a process of its own.
 """
@@ -49,6 +50,19 @@ def year_of_suns() -> np.ndarray:
     return np.asarray(sd.sun_direction(sd.Place(45.07, 7.69), hours))
 
 
+def new_suns() -> None:
+    """Tables and maps of 512 x 256 of suns that were not seen before: Hosek-Wilkie, one lobe, a mode of sea salt."""
+    salt = sd.MieParticles(sd.Lognormal(0.4e-6, 2.0), 1.36).optics([450.0, 550.0, 650.0, 850.0]).aerosol(0.2)
+    suns = iter(sd.direction(azimuth=123.4 * deg, elevation=np.linspace(20.0, 60.0, 500) * deg))
+    show(
+        "map of Hosek-Wilkie RGB",
+        processor_ms(lambda: sd.render(sd.HosekWilkieRGB(next(suns), turbidity=3.0), 256), 30),
+    )
+    for name, air in (("one lobe", sd.clear_air()), ("sea salt, Mie", sd.Atmosphere.of_aerosol(salt))):
+        show(f"table, {name}", processor_ms(lambda air=air: sd.PhysicalSky(next(suns), air).for_maps, 60))
+        show(f"map, {name}", processor_ms(lambda air=air: sd.render(sd.PhysicalSky(next(suns), air), 256), 60))
+
+
 def main() -> None:
     """All figures."""
     formula = sd.HosekWilkieRGB(SUN, turbidity=3.0)
@@ -70,4 +84,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    new_suns() if sys.argv[1:] == ["suns"] else main()
