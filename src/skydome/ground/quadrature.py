@@ -22,15 +22,18 @@ def crowded(count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 @settled
-def hemisphere(rings: int = 64, columns: int = 128) -> tuple[np.ndarray, np.ndarray]:
+def hemisphere(rings: int = 64, columns: int = 128, about: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Directions (N, 3) of the upper hemisphere and their solid angles (N,) sr, N = rings x columns.
 
-    Gauss-Legendre in the zenith angle, midpoints in azimuth.
+    Gauss-Legendre in the zenith angle, midpoints in azimuth. With a direction `about` (3,) above the horizon nodes
+    crowd there: four times as many, those on one side of its meridian before their mirror images.
 
     >>> directions, solid_angles = hemisphere(16, 32)
     >>> round(float(solid_angles @ directions[:, 2]), 12) == round(np.pi, 12)
     True
     """
+    if about is not None:
+        return mirrored_about(about, rings, columns)
     t, w = gauss_legendre(rings)
     zenith = t * np.pi / 2
     azimuth = (np.arange(columns) + 0.5) * (2 * np.pi / columns)
@@ -38,6 +41,19 @@ def hemisphere(rings: int = 64, columns: int = 128) -> tuple[np.ndarray, np.ndar
     parts = np.broadcast_arrays(sine * np.sin(azimuth), sine * np.cos(azimuth), cosine)
     weights = np.broadcast_to((w * np.pi / 2)[:, None] * sine * (2 * np.pi / columns), parts[0].shape)
     return np.stack(parts, axis=-1).reshape(-1, 3), weights.reshape(-1).copy()
+
+
+def mirrored_about(toward: np.ndarray, rings: int, columns: int) -> tuple[np.ndarray, np.ndarray]:
+    """Directions (N, 3) that crowd at `toward` (3,) and their solid angles (N,), N = 4 x rings x columns."""
+    sun, azimuth = np.arccos(np.clip(toward[2], 0.0, 1.0)), np.arctan2(toward[0], toward[1])
+    cosine, angle, solid_angle = half_hemisphere_about(np.asarray(sun), rings, columns)
+    sine = np.sqrt(1 - cosine**2)
+    turn = np.arccos(np.clip((np.cos(angle) - cosine * np.cos(sun)) / np.maximum(sine * np.sin(sun), 1e-12), -1, 1))
+    sides = [
+        np.stack([sine * np.sin(azimuth + side), sine * np.cos(azimuth + side), cosine], axis=-1)
+        for side in (turn, -turn)
+    ]
+    return np.concatenate(sides), np.concatenate([solid_angle, solid_angle]) / 2
 
 
 def half_hemisphere_about(sun_zenith: Array, rings: int = 24, columns: int = 24) -> tuple[Array, Array, Array]:

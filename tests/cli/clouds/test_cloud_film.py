@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 import skydome as sd
@@ -54,6 +55,14 @@ def test_a_frame_has_the_light_of_its_row(tape, tmp_path):
     assert light.diffuse_horizontal == pytest.approx(120, rel=0.01)
 
 
+def test_steps_between_rows_keep_the_energy_of_each(tape, tmp_path):
+    film = light_film(tape, "2026-06-21", "cumulus", 0, tmp_path, 16, None, "5min")
+    noon = [order.light.dni for order in film if order.options.time.startswith("2023-06-21T12:")]
+    assert len(noon) == 12
+    assert np.mean(noon) == pytest.approx(860, rel=0.01)
+    assert film.day.start.wind == (6.0, 2.0)
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -62,7 +71,9 @@ def test_a_frame_has_the_light_of_its_row(tape, tmp_path):
         (("--date", "2026-12-21", "--clouds", "cirrus"), "no row with light on 21 December"),
         (("--date", "noon", "--clouds", "cirrus"), "--date must be a day such as 2026-06-21, got 'noon'"),
         (("--clouds", "cirrus"), "--weather site.epw and --date"),
-        (("--date", "2026-06-21", "--clouds", "cirrus", "--step", "5min"), "--downscale fine.wea"),
+        (("--date", "2026-06-21", "--clouds", "cirrus", "--step", "soon"), "--step must be a length of time"),
+        (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "west"), "--wind"),
+        (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "900,0"), "wind must lie in [-200, 200] m s-1"),
     ],
 )
 def test_films_that_cannot_be(refused, tape, tmp_path, arguments, told):

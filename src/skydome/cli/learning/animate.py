@@ -43,7 +43,8 @@ def animate(
         Option(metavar="2026-08-12", help="No captures: a day and its night at --place, by the physical sky."),
     ] = None,
     step: Annotated[
-        str | None, Option(metavar="10min", help="Time between the frames of --date at --place. [default: 10min]")
+        str | None,
+        Option(metavar="10min", help="Time between the frames of --date. [default: 10min; of --weather its rows]"),
     ] = None,
     weather: Annotated[
         Path | None,
@@ -52,6 +53,9 @@ def animate(
     clouds: Annotated[
         str | None,
         Option(metavar="KIND", help="Of --weather: cumulus, stratocumulus, altocumulus or cirrus carry its light."),
+    ] = None,
+    wind: Annotated[
+        str | None, Option(metavar="EAST,NORTH", help="Of --clouds: how they drift, m/s. [default: 6,2]")
     ] = None,
     height: Annotated[int, Option(help="Rows of the frames of --date.")] = 512,
     exposure: Exposure = None,
@@ -67,14 +71,16 @@ def animate(
     """Write the frames of a day: between captures, by a neural sky trained on them, or of --date; can go on."""
     movie = movie_of(film, date, exposure, night_vision)
     if weather is not None or clouds is not None:
-        if weather is None or date is None or (folder or place or step or zone) is not None:
+        if weather is None or date is None or (folder or place or zone) is not None:
             raise ValueError(
-                "--clouds are of --weather site.epw and --date, its rows the frames: no captures, --place, --zone, "
-                "--step; `skydome weather site.epw --downscale fine.wea` makes rows of minutes"
+                "--clouds are of --weather site.epw and --date, its rows or every --step the frames: no captures, "
+                "--place, --zone"
             )
-        frames_of_light = light_film(weather, date, clouds, seed, output, height, exposure if movie is None else None)
-        show_film(frames_of_light, movie, as_json)
+        level = exposure if movie is None else None
+        show_film(light_film(weather, date, clouds, seed, output, height, level, step, wind), movie, as_json)
         return
+    if wind is not None:
+        raise ValueError("--wind moves clouds: give --weather, --date and --clouds too")
     if date is not None:
         level = exposure if movie is None else None
         show_film(film_of(folder, place, date, zone, step or "10min", output, height, level), movie, as_json)

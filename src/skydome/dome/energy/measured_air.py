@@ -16,33 +16,80 @@ from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.incident import Channels, Incident
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.suns.sun_disc import SunDisc
 
 HAZES = np.array([0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.22, 0.3, 0.4, 0.6, 0.9])
 """Optical depths of aerosol at 550 nm that are looked among."""
 USUAL_HAZE = 4
-DARK = 0.75
-"""Share that aerosol scatters of what it takes, where measured clear skies are darker than of the usual."""
+FEW = 4
+"""Hazes whose sun is near enough to look at."""
+DARK = (None, 0.75, 0.6)
+"""Shares that aerosol scatters of what it takes, the usual one first, for measured clear skies that are darker."""
 CLOUDLESS = 0.85
 """Share of the clear sun from which on no cloud is taken to stand before it."""
-RINGS, AROUND = 48, 96
-"""Nodes of the dome."""
+FINE, QUICK = (1, 2), (5, 4)
+"""Every so many wavelengths, and coarseness: of what light is set by, and what it is sought by."""
 NEAR = 0.1
 """Greatest part by which light may be moved in the end; what needs more is refused."""
 
 
 @dataclass(frozen=True, eq=False)
-class Clear:
-    """A clear sky under a sun, and its energy."""
+class Measure:
+    """Energy of a clear sky's light by every so many wavelengths, and of fields of cloud before it."""
 
     sky: PhysicalSky
+    every: int
+    coarseness: int
+    """Places of a field's shape along a side of the cells in which its light is diffused."""
 
     @cached_property
     def channels(self) -> Channels:
         """The whole spectrum's energy."""
         known = columns("spectrl2_gases")["wavelength_nm"]
-        known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)]
+        known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)][:: self.every]
         return Channels(known, weights_of(self.sky.atmosphere, known, np.ones_like)[:, None])
+
+    @cached_property
+    def nodes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Directions of the dome and their shares of the horizontal's light."""
+        views, solid_angles = hemisphere(*CloudySky.nodes_about(self.sky.seen_sun))
+        return np.asarray(views), np.asarray(solid_angles * views[:, 2])
+
+    @cached_property
+    def light(self) -> np.ndarray:
+        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
+        views = self.nodes[0]
+        half = self.sky.radiance(views[: len(views) // 2], self.channels.wavelengths) @ self.channels.weights
+        return np.concatenate([half, half])  # the other half mirrors it
+
+    @cached_property
+    def alone(self) -> float:
+        """Diffuse horizontal irradiance without cloud, W m-2."""
+        return float(self.nodes[1] @ self.light[:, 0])
+
+    def behind(self, field: CloudField) -> float:
+        """The same with a field before it."""
+        return self.lit(LitField.of(field, self.sky.seen_sun, self.coarseness))
+
+    def lit(self, lit: LitField) -> float:
+        """The same with a lit field."""
+        if lit.field.cover <= 0:
+            return self.alone
+        views, weights = self.nodes
+        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
+
+
+@dataclass(frozen=True, eq=False)
+class Clear:
+    """A clear sky under a sun, and its energy: by a quick measure to search with, and a fine one."""
+
+    sky: PhysicalSky
+
+    @property
+    def toward(self) -> np.ndarray:
+        """The sun."""
+        return np.asarray(self.sky.toward, np.float64)
 
     @cached_property
     def beam(self) -> float:
@@ -52,36 +99,21 @@ class Clear:
         return float(SunDisc.of(self.sky).irradiance(known) @ weights_of(self.sky.atmosphere, known, np.ones_like))
 
     @cached_property
-    def nodes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Directions of the dome and their shares of the horizontal's light."""
-        views, solid_angles = hemisphere(RINGS, AROUND)
-        return np.asarray(views), np.asarray(solid_angles * views[:, 2])
+    def quick(self) -> Measure:
+        """To search with."""
+        return Measure(self.sky, *QUICK)
 
     @cached_property
-    def light(self) -> np.ndarray:
-        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
-        light = self.sky.radiance(self.nodes[0], self.channels.wavelengths)
-        return np.asarray(light @ self.channels.weights)
-
-    @cached_property
-    def alone(self) -> float:
-        """Diffuse horizontal irradiance without cloud, W m-2."""
-        views, solid_angles = hemisphere(16, 32)
-        light = self.sky.radiance(views, self.channels.wavelengths) @ self.channels.weights
-        return float((solid_angles * views[:, 2]) @ light[:, 0])
-
-    def diffuse(self, field: CloudField, coarseness: int = 4) -> float:
-        """Diffuse horizontal irradiance with a field before it, W m-2."""
-        views, weights = self.nodes
-        lit = LitField.of(field, self.sky.seen_sun, coarseness)
-        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
+    def fine(self) -> Measure:
+        """What the light is set by."""
+        return Measure(self.sky, *FINE)
 
 
 def airs_for(dni: float, dhi: float, sun: np.ndarray, air: Atmosphere) -> Iterator[tuple[Clear, float]]:
-    """Clear skies, and the share of their sun that the clouds are to leave, likely ones first.
+    """Clear skies, and the share of their sun that the clouds are to leave (over 1: no cloud), likely ones first.
 
     The usual air with cloud before the sun, where there is much less of it than that air lets through; air so hazy that
-    nothing need stand before the sun; and air that by itself comes nearest to both, under no cloud (share over 1).
+    nothing need stand before the sun; air that by itself comes nearest to both; and the clearest air.
     """
     skies = [hazy(air, depth, sun) for depth in HAZES]
     beams = np.array([clear.beam for clear in skies])
@@ -92,14 +124,17 @@ def airs_for(dni: float, dhi: float, sun: np.ndarray, air: Atmosphere) -> Iterat
         yield usual, dni / usual.beam
     if dni > beams[-1]:
         same = hazy(air, float(np.interp(-dni, -beams, HAZES)), sun)
-        if dhi > same.alone:
+        if dhi > same.quick.alone:
             yield same, 1.0
-        yield nearest(dni, dhi, [hazy(air, depth, sun, share) for depth in HAZES for share in (None, DARK)]), 2.0
+        yield nearest(dni, dhi, air, skies), 2.0
+    yield skies[0], min(dni / beams[0], 1.0)
 
 
-def nearest(dni: float, dhi: float, skies: list[Clear]) -> Clear:
-    """The clear sky whose sun and diffuse light come nearest."""
-    return min(skies, key=lambda clear: max(abs(np.log(clear.beam / dni)), abs(np.log(clear.alone / dhi))))
+def nearest(dni: float, dhi: float, air: Atmosphere, skies: list[Clear]) -> Clear:
+    """The clear sky whose sun and diffuse light come nearest, of airs like those of `skies` or darker."""
+    depths = sorted(zip(HAZES, skies, strict=False), key=lambda each: abs(np.log(each[1].beam / dni)))[:FEW]
+    tried = [hazy(air, depth, clear.toward, share) for depth, clear in depths for share in DARK]
+    return min(tried, key=lambda clear: max(abs(np.log(clear.beam / dni)), abs(np.log(clear.fine.alone / dhi))))
 
 
 def hazy(air: Atmosphere, depth: float, sun: np.ndarray, scattered: float | None = None) -> Clear:

@@ -1,15 +1,17 @@
 """The nearest sky with clouds where none carries the measured light: its level is set to the light, however far off."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.dome.energy.measured_air import HAZES, USUAL_HAZE, airs_for, hazy, nearest
-from skydome.dome.energy.measured_clouds import LOWEST, MeasuredClouds, carried, clouds_for, field_for
+from skydome.dome.energy.cloud_course import leaving, on_course, place_of_cover
+from skydome.dome.energy.cloud_search import Step
+from skydome.dome.energy.measured_air import HAZES, USUAL_HAZE, Clear, hazy, nearest
+from skydome.dome.energy.measured_clouds import LOWEST, MeasuredClouds, carried, sought
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.sky import CloudySky
 
 ANY = float("inf")
 """No limit to the last factors."""
@@ -37,28 +39,23 @@ def nearest_clouds(
         why = f"the sun stands at {high:.1f} degrees, and clouds are looked for from {LOWEST:g} degrees on"
         return by_cover(dni, dhi, toward, field, air), why
     try:
-        return clouds_for(dni, dhi, toward, field, air), ""
-    except ValueError as error:
-        why = str(error)
-    found = []
-    try:
-        for clear, share in airs_for(dni, dhi, toward, air):
-            found.append(carried(dni, dhi, clear, field_for(dhi, share, clear, field, ANY), ANY))
-    except ValueError:  # nowhere in the field is there a place for that sun, or no air lets so much through
-        found.append(by_cover(dni, dhi, toward, field, air))
-    return min(found, key=strain), why
-
-
-def strain(found: MeasuredClouds) -> float:
-    """How far its factors are from 1."""
-    factors = np.clip([found.diffuse_factor, found.direct_factor], 1e-9, 1e9)
-    return float(np.abs(np.log(factors)).max())
+        return sought(dni, dhi, toward, field, air)
+    except ValueError as error:  # no air lets so much through
+        return by_cover(dni, dhi, toward, field, air), str(error)
 
 
 def by_cover(dni: float, dhi: float, sun: np.ndarray, field: CloudField, air: Atmosphere) -> MeasuredClouds:
     """Clouds over as great a share of the sky as the clear sun lacks."""
     clear = hazy(air, HAZES[USUAL_HAZE], sun)
     if dni > clear.beam:
-        clear = nearest(dni, dhi, [hazy(air, depth, sun) for depth in HAZES[: USUAL_HAZE + 1]])
+        clear = nearest(dni, dhi, air, [hazy(air, depth, sun) for depth in HAZES[: USUAL_HAZE + 1]])
     cover = 1 - min(dni / max(clear.beam, 1e-6), 1.0)
-    return carried(dni, dhi, clear, replace(field, cover=cover), ANY)
+    return on_place(dni, dhi, clear, field, place_of_cover(cover))
+
+
+def on_place(dni: float, dhi: float, clear: Clear, field: CloudField, place: float) -> MeasuredClouds:
+    """The clouds at a place of the course, with as much before the sun as leaves what there is of it."""
+    share = min(dni / max(clear.beam, 1e-6), 1.0)
+    there = leaving(on_course(field, place), share, np.asarray(clear.sky.seen_sun))
+    cloudy = CloudySky(clear.sky, there)
+    return carried(dni, dhi, clear, cloudy, Step(place, there, clear.fine.lit(cloudy.lit)))

@@ -1,6 +1,6 @@
 """Fields of cloud: shape and cover, light against closed forms and discrete ordinates, and the sky that results."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -18,6 +18,7 @@ from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.reference import laws_of, photon_shares, traced_through
 from skydome.skies.clouds.fields.scattering import ANGLES, DEPTHS, Scattering, grid
 from skydome.skies.clouds.fields.shadows import sun_share
+from skydome.skies.clouds.fields.thickening import Thickening
 
 pytest.importorskip("numba")
 SUN = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
@@ -59,14 +60,18 @@ def test_noise_is_the_same_compiled_and_repeats(readable, either):
     assert np.abs(readable(points[:50], (4, 6, 8), 6) - known[:50]).max() > 0.1
 
 
-def test_extinction_is_the_same_compiled():
+@pytest.mark.parametrize("amount", [0.0, 0.4, -0.4])
+def test_extinction_is_the_same_compiled(amount):
     from skydome.skies.clouds.fields.medium_kernel import extinctions
 
+    bare = replace(HEAPS, cover=0.7)
+    field = replace(bare, thicker=Thickening((0.5, 0.1, 0.5), amount) if amount else None)
     points = np.random.default_rng(3).uniform([-2e4, -2e4, 900], [2e4, 2e4, 2700], (20_000, 3))
     out = np.empty(len(points))
-    extinctions(0, len(points), HEAPS.medium, points, out)
-    np.testing.assert_allclose(out, HEAPS.extinction_at(points), atol=1e-8)
-    assert (out > 0).any()
+    extinctions(0, len(points), field.medium, points, out)
+    np.testing.assert_allclose(out, field.extinction_at(points), atol=1e-8)
+    more = out.sum() - bare.extinction_at(points).sum()
+    assert np.sign(more.round(4)) == np.sign(amount)
 
 
 @pytest.mark.parametrize("cover", [0.2, 0.6])
@@ -187,11 +192,18 @@ def test_spectrum_and_colour_agree(sky):
     assert (sky.xyz(-VIEWS) == 0).all()
 
 
-def test_far_clouds_melt_into_the_clear_sky(sky):
+def test_far_clouds_melt_into_the_air_before_them(sky):
     low = sd.direction(np.linspace(0, 6, 24), 0.15 * sd.deg)
     near = sd.direction(np.linspace(0, 6, 24), 20 * sd.deg)
-    part = [np.abs(sky.luminance(v) / sky.clear.luminance(v) - 1).mean() for v in (low, near)]
-    assert part[0] < 0.3 * part[1]
+    uneven = [np.std(sky.luminance(v) / sky.clear.luminance(v)) for v in (low, near)]
+    assert uneven[0] < 0.2 * uneven[1]
+
+
+def test_air_below_a_dark_cover_is_dark(sky):
+    far = sd.direction(np.linspace(0, 6, 24), 0.5 * sd.deg)
+    dark = sd.CloudySky(sky.clear, CloudField(sd.Cumulus(), 1.0, extinction=0.4, seed=7))
+    assert (dark.luminance(far) < 0.15 * sky.clear.luminance(far)).all()
+    assert dark.colours.shade.max() < 0.05
 
 
 def test_fast_form_against_paths(sky):
@@ -239,7 +251,7 @@ def test_air_before_the_cloud_is_the_same_compiled(sky):
     views, seen, clear = VIEWS[np.arange(50) % 5], rng.uniform(0, 1, (50, 5 + DEPTHS)), rng.uniform(0, 1, (50, 3))
     seen[:, 4] = rng.uniform(1e3, 9e4, 50)
     before, *lights, sun = np.moveaxis(light.at(views[:, 2], seen[:, 4]), 1, 0)
-    known = clear * (seen[:, :1] + (1 - seen[:, :1]) * before)
+    known = clear * (seen[:, :1] * (1 - before) + before * light.shade)
     known = known + sum(part * seen[:, n : n + 1] for n, part in enumerate(lights, 1))
     known = known + sun * light.scattering.once(views @ light.lit.sun, seen[:, 5:])
     np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)

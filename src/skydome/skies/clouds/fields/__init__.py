@@ -3,6 +3,7 @@
 - noise            Noise of space, periodic: gradient noise and cellular noise from a hash of the lattice
 - noise_kernel     The same compiled
 - kinds            The kinds of cloud: where they float, how thick and dense they are, and their shape as noise
+- thickening       Cloud made thicker or thinner along one ray: what stands before the sun
 - field            A field of cloud: extinction at every place over the ground, repeating, drifting with the wind
 - medium_kernel    Extinction at a place, means over coarse cells, depths along rays, compiled
 - scattering       How cloud scatters: the particles' law, the same after many small turns, angles drawn from it

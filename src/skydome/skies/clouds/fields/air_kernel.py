@@ -9,7 +9,7 @@ compiled = job()
 
 
 @compiled
-def put_together(first, last, tables, seeming, low, high, radius, views, sun, seen, light, out):
+def put_together(first, last, tables, shade, seeming, low, high, radius, views, sun, seen, light, out):
     """Fill out (D, C) with the clear `light` (D, C) with the cloud before it; `seen` as `marched` has it.
 
     `seeming` (DEPTHS, ANGLES, C): the phase functions that light scattered once follows.
@@ -36,7 +36,7 @@ def put_together(first, last, tables, seeming, low, high, radius, views, sun, se
                 upper = tables[j + 1, k, part, c] * (1 - u) + tables[j + 1, k + 1, part, c] * u
                 there = lower * (1 - v) + upper * v
                 if part == 0:
-                    total += light[n, c] * (through + (1 - through) * there)
+                    total += light[n, c] * (through * (1 - there) + there * shade[c])
                 else:
                     total += (seen[n, part] if part < 4 else once) * there
             out[n, c] = total

@@ -11,6 +11,7 @@ from skydome.ground.arrays import brief
 from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
 from skydome.skies.clouds.fields.kinds import CloudKind, Cumulus, ramp
 from skydome.skies.clouds.fields.noise import cells
+from skydome.skies.clouds.fields.thickening import NONE, Column, Thickening, thickened
 
 DETAIL = 64
 """Places along each side of the block of fine detail, which repeats."""
@@ -42,6 +43,8 @@ class Medium(NamedTuple):
     east: float
     """Where the eye stands over the field, m."""
     north: float
+    thicker: Column
+    """Where there is more of the shape, or less."""
 
 
 @dataclass(frozen=True)
@@ -49,8 +52,9 @@ class CloudField(Bounded):
     """A field of cloud of one `kind` that covers a share `cover` of the sky's columns.
 
     base, thickness in m above the ground, extinction (the greatest) in m-1: the kind's usual ones unless given. `wind`
-    (east, north), m s-1, moves it, and `place` (east, north), m, is where the eye stands over it. It repeats after
-    `kind.period` m. ValueError for cover over 1, clouds below the ground, negative depth.
+    (east, north), m s-1, moves it, and `place` (east, north), m, is where the eye stands over it. `thicker` makes more
+    or less of it along one ray. It repeats after `kind.period` m. ValueError for cover over 1, clouds below the ground,
+    negative depth.
 
     >>> field = CloudField(Cumulus(), cover=0.4, seed=7)
     >>> field.base, field.thickness
@@ -67,7 +71,8 @@ class CloudField(Bounded):
     seed: int = 0
     wind: tuple[float, float] = (0.0, 0.0)
     place: tuple[float, float] = (0.0, 0.0)
-    kinds: ClassVar = {"kind": (CloudKind, "Cumulus()")}
+    thicker: Thickening | None = None
+    kinds: ClassVar = {"kind": (CloudKind, "Cumulus()"), "thicker": (Thickening | None, "Thickening((0, 0, 1), 0.1)")}
     bounds: ClassVar = {
         "cover": SHARE,
         "base": Range(50.0, 20_000.0, "m"),
@@ -116,8 +121,16 @@ class CloudField(Bounded):
         profile = kind.profile((np.arange(kind.levels) + 0.5) / kind.levels)
         return Medium(
             shape, detail, profile, kind.period / kind.count, self.base, self.thickness, self.threshold, kind.erosion,
-            kind.edge, self.extinction, kind.detail, *map(float, self.place),
+            kind.edge, self.extinction, kind.detail, float(self.place[0]), float(self.place[1]), self.column,
         )  # fmt: skip
+
+    @property
+    def column(self) -> Column:
+        """Where it is made thicker."""
+        if self.thicker is None:
+            return NONE
+        middle = float(tables(self.kind, self.thickness, self.seed)[0][:: self.kind.count // 16].mean())
+        return self.thicker.column((self.base, self.kind.period), self.place, middle)
 
     def extinction_at(self, points: Any) -> np.ndarray:
         """Extinction at points (..., 3), m from the eye's foot to east, north and up, m-1, shape (...,).
@@ -130,6 +143,7 @@ class CloudField(Bounded):
         height = z / m.thickness
         place = height * len(m.profile) - 0.5
         shape = interpolated(m.shape, x / m.spacing, y / m.spacing, place, wraps=False)
+        shape = shape + thickened(m.thicker, shape, x, y, z)
         eaten = m.erosion * interpolated(m.detail, x / m.fine, y / m.fine, z / m.fine, wraps=True)
         level = np.interp(place, np.arange(len(m.profile)), m.profile)
         inside = (height >= 0) & (height <= 1)

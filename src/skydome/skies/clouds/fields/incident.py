@@ -106,13 +106,18 @@ class Incident:
         return np.asarray((solid_angles * nodes[:, 2]) @ self.clear.radiance(nodes, self.channels.wavelengths))
 
     @cached_property
-    def ground(self) -> np.ndarray:
-        """Irradiance that the ground sends up: what comes through the field, to and fro between both, (W,)."""
-        lit, albedo = self.lit, np.asarray(self.air.albedo_at(self.channels.wavelengths))
+    def down(self) -> np.ndarray:
+        """Irradiance below the field on the horizontal: what comes through, to and fro between it and ground, (W,)."""
+        lit, (by_sun, by_sky, by_ground) = self.lit, self.dimming
         direct, of_sun, of_sky, back = lit.budget
-        by_sun, by_sky, by_ground = self.dimming
         down = self.sun_below * max(lit.sun[2], 0.0) * direct + self.sun * of_sun * by_sun + self.sky * of_sky * by_sky
-        return np.asarray(albedo * down / (1 - albedo * back * by_ground))
+        albedo = np.asarray(self.air.albedo_at(self.channels.wavelengths))
+        return np.asarray(down / (1 - albedo * back * by_ground))
+
+    @cached_property
+    def ground(self) -> np.ndarray:
+        """Irradiance that the ground sends up, (W,)."""
+        return np.asarray(self.air.albedo_at(self.channels.wavelengths) * self.down)
 
     @cached_property
     def lost(self) -> np.ndarray:
@@ -124,6 +129,12 @@ class Incident:
     def dimming(self) -> np.ndarray:
         """What absorption leaves of scattered light of sun, sky and ground, (3, W)."""
         return self.lit.dimming(self.lost)
+
+    @cached_property
+    def shade(self) -> np.ndarray:
+        """Share of its light without cloud that the air below the field has, by all that comes down, (C,)."""
+        clear = (self.sun_below * max(self.lit.sun[2], 0.0) + self.sky) @ self.channels.weights
+        return np.asarray((self.down @ self.channels.weights) / np.where(np.abs(clear) > LEAST, clear, 1.0))
 
     @cached_property
     def sines(self) -> np.ndarray:
@@ -171,6 +182,7 @@ class Incident:
         out, (low, *_, high) = np.empty(light.shape), self.heights
         given = (
             self.tables,
+            self.shade,
             self.scattering.seeming,
             low,
             high,

@@ -8,6 +8,7 @@
 import math
 
 from skydome.ground.compiled import inlined, job
+from skydome.skies.clouds.fields.thickening import LEAST, MOST
 
 compiled, part = job(), inlined()
 
@@ -49,13 +50,29 @@ def between(table, x, y, z):
 
 
 @part
+def thicker(c, shape, x, y, z):
+    """What a shape has more about a ray; as `thickening.thickened`."""
+    a, b = x - c.east - z * c.lean_east, y - c.north - z * c.lean_north
+    a -= c.period * math.floor(a / c.period + 0.5)
+    b -= c.period * math.floor(b / c.period + 0.5)
+    across = (a * a + b * b) / (c.radius * c.radius)
+    if across * LEAST > 1.0:
+        return 0.0
+    share = 1.0 - across * min(max(1.0 - c.ragged * (shape - c.middle), LEAST), MOST)
+    return c.amount * share * share if share > 0.0 else 0.0
+
+
+@part
 def extinction(m, x, y, z):
     """Extinction, m-1; as `CloudField.extinction_at`."""
     height = z / m.thickness
     if height < 0.0 or height > 1.0:
         return 0.0
     place = height * m.profile.size - 0.5
-    over = between(m.shape, x / m.spacing, y / m.spacing, place) - m.threshold
+    shape = between(m.shape, x / m.spacing, y / m.spacing, place)
+    over = shape - m.threshold
+    if m.thicker.amount != 0.0:
+        over += thicker(m.thicker, shape, x, y, z)
     if over <= 0.0:
         return 0.0
     if m.erosion > 0.0:

@@ -117,7 +117,7 @@ def through_the_air(
     channels = clear.shape[1]
     before, *_, behind = np.moveaxis(light.at(views[:, 2], found[:, channels + 1]), 1, 0)
     passed = found[:, channels : channels + 1]
-    return np.asarray(clear * (passed + (1 - passed) * before) + found[:, :channels] * behind / sun)
+    return np.asarray(clear * (passed * (1 - before) + before * light.shade) + found[:, :channels] * behind / sun)
 
 
 def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]:

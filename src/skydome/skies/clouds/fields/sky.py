@@ -48,7 +48,6 @@ class CloudySky(WrappedSky, SpectralSky):
     source: ClassVar[str] = "single scattering (TMS) and diffusion in three dimensions through procedural cloud"
     lowest_sun: ClassVar[float] = PhysicalSky.lowest_sun
     knows_energy: ClassVar[bool] = True
-    nodes_of_energy: ClassVar = (48, 96)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -60,6 +59,17 @@ class CloudySky(WrappedSky, SpectralSky):
     def lit(self) -> LitField:
         """The field under its sun."""
         return LitField.of(self.field, self.clear.seen_sun)
+
+    @property
+    def nodes_of_energy(self) -> tuple[int, int, np.ndarray]:
+        """What its energy is summed over: nodes that crowd at the sun, whose glow through a thin cloud is steep."""
+        return self.nodes_about(self.clear.seen_sun)
+
+    @staticmethod
+    def nodes_about(sun: Array) -> tuple[int, int, np.ndarray]:
+        """Of any field under a sun (3,), for `hemisphere`."""
+        toward = np.asarray(sun, np.float64)
+        return 24, 48, toward if toward[2] >= 0 else toward * [1.0, 1.0, 0.0] / np.hypot(toward[0], toward[1])
 
     @property
     def sunlit(self) -> "SunBehindClouds":
