@@ -133,8 +133,9 @@ class Incident:
     @cached_property
     def shade(self) -> np.ndarray:
         """Share of its light without cloud that the air below the field has, by all that comes down, (C,)."""
-        clear = (self.sun_below * max(self.lit.sun[2], 0.0) + self.sky) @ self.channels.weights
-        return np.asarray((self.down @ self.channels.weights) / np.where(np.abs(clear) > LEAST, clear, 1.0))
+        weights, clear = self.channels.weights, self.sun_below * max(self.lit.sun[2], 0.0) + self.sky
+        lit, whole = (self.sky * self.down / np.maximum(clear, LEAST)) @ weights, self.sky @ weights
+        return np.asarray(lit / np.where(np.abs(whole) > LEAST, whole, 1.0))
 
     @cached_property
     def sines(self) -> np.ndarray:
