@@ -13,9 +13,9 @@ pytest.importorskip("numba")
 SUN = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
 
 
-@pytest.mark.parametrize(("dni", "dhi"), [(420.0, 210.0), (0.0, 30.0), (420.0, 85.0)])
+@pytest.mark.parametrize(("dni", "dhi"), [(0.0, 30.0), (420.0, 85.0)])
 def test_light_is_that_measured(dni, dhi):
-    """An hour of heaps, dark rain, and half a sun with little diffuse light."""
+    """Dark rain, and half a sun with little diffuse light."""
     found = sd.clouds_for(dni, dhi, SUN, sd.CloudField(sd.Cumulus(), seed=7))
     light = sd.broadband(found.whole)
     assert light.direct_normal == pytest.approx(dni, rel=0.01)
