@@ -19,5 +19,6 @@
 - clouds/           Clouds by the options
 - commands/         One command a file
 - night/            What the commands say of the night
+- many_sites/       Many sites from a table of them, computed by Dask
 - learning/         Commands that measure, simulate and learn, one a file
 """

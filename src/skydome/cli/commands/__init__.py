@@ -11,7 +11,6 @@
 - glare        `skydome glare`: what an eye, or a camera, makes of a map's sun, side by side with the bare view
 - illuminance  `skydome illuminance`: the light on a plane, tilted or not, under an open or an obstructed sky
 - planes_of_year  `skydome illuminance --weather`: the light on planes through a year
-- planes_of_sites  `skydome illuminance --weather sites.csv`: planes at many sites, computed by Dask
 - weather      `skydome weather`: how good a weather file's light is, a picture of it, and its repair
 - daylight     `skydome daylight`: daylight metrics of a room, from coefficients, or triangles and points
 - year         `skydome year`: a weather file in, a year of skies out; or many sites on a cluster

@@ -7,9 +7,9 @@ from typing import Annotated, Any
 
 from typer import Option
 
-from skydome.cli.commands.planes_of_sites import many_sites
-from skydome.cli.commands.year import is_sites
 from skydome.cli.doors import progress, refuse_idle, require_output
+from skydome.cli.many_sites.planes import planes_of_sites
+from skydome.cli.many_sites.table import is_sites
 from skydome.cli.options import SkyOptions, numbers
 from skydome.cli.quantities import minutes
 from skydome.cli.sums_of_planes import facts_of
@@ -103,7 +103,7 @@ def year_on_planes(
         required(ENDINGS[asked.output.suffix.lower()], "year", f"a year as {asked.output.suffix}")
     known = planes_of(asked, planes, horizon, ground)
     if refuse_other_kinds(asked, options):
-        return many_sites(asked, known, ground)
+        return planes_of_sites(asked, known, ground)
     shift: Any = minutes(asked.shift)
     place = None if options.place is None else sd.Place.parse(options.place)
     with warnings.catch_warnings(record=True) as caught, progress("a year on planes"):

@@ -7,6 +7,8 @@ from typing import Annotated, Any
 from typer import Argument, Option
 
 from skydome.cli.doors import STORE, progress, refuse_idle, require_output
+from skydome.cli.many_sites.table import is_sites
+from skydome.cli.many_sites.years import require_sites, years_of_sites
 from skydome.cli.options import AsJson
 from skydome.cli.printing import show_facts
 from skydome.cli.quantities import minutes
@@ -88,7 +90,7 @@ def year(
             alone = {"colour": colour, "wavelengths": wavelengths, "suns": suns, "plot": plot, "kinds": kinds}
             require_sites(reading | alone | {"sun_in_patch": sun_in_patch})
             choices = {name: choices[name] for name in ("patches", "compat", "smooth")}
-            facts = many(weather, output, weather_folder, scheduler, workers, choices)
+            facts = years_of_sites(weather, output, weather_folder, scheduler, workers, choices)
         else:
             facts = single(weather, reading, choices, output, ascii_text, sun_in_patch, suns, plot, kinds, overwrite)
     notes = [str(warning.message) for warning in caught if warning.category is UserWarning]
@@ -108,12 +110,6 @@ def refuse_unused(given: dict[str, Any], sites: bool, output: Path | None, colou
     ):
         if not used:
             refuse_idle({name: given[name] for name in names}, PLAIN, why)
-
-
-def require_sites(alone: dict[str, Any]) -> None:
-    """ValueError for options of one weather file (`alone`) beside a table of sites; ImportError without Dask."""
-    refuse_idle(alone, dict.fromkeys(alone) | {"utc_offset": 0.0, "sun_in_patch": False}, "for a table of sites")
-    required("dask.distributed", "scale", "the years of many sites")
 
 
 def require_outputs(suns: Path | None, plot: Path | None, kinds: Path | None) -> None:
@@ -137,17 +133,6 @@ def check_extras(output: Path | None, plot: Path | None) -> None:
         required(ENDINGS[output.suffix.lower()], "year", f"a year as {output.suffix}")
     if plot is not None:
         required("matplotlib", "plot", "a plot")
-
-
-def is_sites(path: Path) -> bool:
-    """True for a table of sites (.csv), False for a TMY3 or any other file."""
-    from skydome.ground.arguments import require_file
-
-    if path.suffix.lower() != ".csv":
-        return False
-    with require_file(path, "a weather file").open(encoding="utf-8", errors="replace") as file:
-        cells = [cell.strip() for cell in file.readline(1 << 16).split(",")]
-    return "file" in cells and "name" in cells
 
 
 def single(
@@ -224,31 +209,3 @@ def facts_of_year(data: Any) -> dict[str, Any]:
 def place_facts(data: Any) -> dict[str, float]:
     """Where the year is."""
     return {name: float(data.attrs[name]) for name in ("latitude", "longitude", "altitude", "utc_offset")}
-
-
-def many(
-    path: Path,
-    output: Path | None,
-    folder: Path | None,
-    scheduler: str | None,
-    workers: int,
-    choices: dict[str, Any],
-) -> dict[str, Any]:
-    """The years of all sites in one Zarr store, with progress; the facts to print."""
-    from skydome.years.stores.sites import read_sites, run_sites
-
-    if output is None or not is_store(output):
-        raise ValueError("many sites need -o skies.zarr")
-    sites, bad = read_sites(path, folder)
-    if not sites:
-        raise ValueError(f"{path.name} has no usable site: {'; '.join(bad) or 'it is empty'}")
-    with progress("site-years") as report:
-        notes = run_sites(output, sites, scheduler, workers, report, **choices)
-    failed = [line for line in notes if "warning:" not in line]
-    return {
-        "sites": len(sites),
-        "done": len(sites) - len(failed),
-        "failed": len(failed) + len(bad),
-        "files": [str(output)],
-        "notes": bad + notes,
-    }

@@ -5,7 +5,7 @@ from typing import Any
 from skydome.cli.doors import progress
 
 
-def many_sites(asked: Any, planes: list[Any], ground: float) -> dict[str, Any]:
+def planes_of_sites(asked: Any, planes: list[Any], ground: float) -> dict[str, Any]:
     """The facts of planes at many sites; a whole file of them, as there is no table of so many hours."""
     from skydome.years.planes.portfolio import portfolio
     from skydome.years.stores.sites import read_sites
