@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 import skydome as sd
 from skydome import deg
 from skydome.cli.main import app
+from skydome.skies.suns.point_lights import PointLights
 
 WHEN = ("--place", "45.07,7.69,240", "--time", "2026-06-21T15:00+02:00")
 PROFILE = "azimuth,elevation\n0,5\n90,10\n180,35\n270,20\n360,5\n"
@@ -51,6 +52,24 @@ def test_a_level_plane_in_the_open_is_global_illuminance():
     assert facts["sky_view_factor"] == pytest.approx(1.0, abs=1e-12)
     assert facts["illuminance_lx"]["total"] == pytest.approx(light["global"], rel=1e-3)
     assert facts["horizon"] is None
+
+
+def test_a_night_has_its_moon_and_stars():
+    """A star behind the hills gives nothing, another its light, in every kind of light; both at the command line."""
+    night = ("--place", "45,8", "--time")
+    full, dark = (told(*night, time)["illuminance_lx"] for time in ("2026-01-03T22:00Z", "2026-01-18T22:00Z"))
+    for light, time in ((full, "2026-01-03T22:00Z"), (dark, "2026-01-18T22:00Z")):
+        whole = json.loads(CliRunner().invoke(app, ["light", *night, time, "--json"]).stdout)["illuminance_lx"]
+        assert light["total"] == pytest.approx(whole["global"], rel=1e-3)
+    assert "from the moon" in call(*night, "2026-01-03T22:00Z").stdout
+    stars = PointLights(sd.direction(0.0, np.array([20.0, 40.0]) * deg), sd.Spectrum([400.0, 700.0], np.ones((2, 2))))
+    for kind in (sd.LightInLux(), sd.LightInXYZ(), sd.LightInRGB(), sd.LightInWavelengths([450.0, 550.0])):
+        seen = sd.obstructed_illuminance(stars, sd.Horizon.level(30 * deg), light=kind).sky
+        both = sd.obstructed_illuminance(stars, sd.Horizon.level(0.0), light=kind).sky
+        share = np.sin(40 * deg) / (np.sin(20 * deg) + np.sin(40 * deg))
+        np.testing.assert_allclose(seen, np.asarray(both) * share, rtol=1e-9)
+        assert np.all(np.asarray(seen) > 0)
+        np.testing.assert_allclose(kind.on_level(stars), both, rtol=1e-9)
 
 
 def test_light_in_colour_is_the_librarys(profile):
@@ -106,8 +125,9 @@ def test_bad_profiles_are_refused(tmp_path, content, said):
     refused(call(*WHEN, "--horizon", path), said)
 
 
-def test_night_is_refused():
-    refused(call("--place", "45,7", "--time", "2026-06-21T01:00+02:00"), "sun must stand above -18 degrees")
+def test_a_set_sun_without_a_place_and_a_formula_at_night_are_refused():
+    refused(call("--sun", "180,-30"), "sun must stand above -18 degrees")
+    refused(call("--place", "45,7", "--time", "2026-06-21T01:00+02:00", "--model", "preetham"), "above the horizon")
 
 
 def refused(result, said):

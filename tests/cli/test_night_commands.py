@@ -37,6 +37,8 @@ def test_a_film_of_a_day_is_taken_up_again(call, refused, tmp_path):
     assert len(again["there_before"]) == 3
     rest = json.loads(call(*film[:6], "9h", *film[7:-1], tmp_path / "rest", "--json").stdout)
     assert rest["made"] == ["sky.0001.exr", "sky.0002.exr", "sky.0003.exr"]  # 0, 9 and 18 h
+    assert "--date must be a day such as" in refused(*film[:4], "2026-02-30", *film[5:-1], tmp_path / "none")
+    assert not (tmp_path / "none").exists()
     assert "a day at most" in refused(*film[:6], "48h", *film[7:])
     assert "at most 100,000 frames, got 864,000" in refused(*film[:6], "0.1s", *film[7:])
     assert "--place and --date" in refused("animate", "-o", tmp_path)

@@ -4,7 +4,7 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +26,18 @@ def duration(text: str) -> timedelta:
     if not 1e-6 <= seconds < timedelta.max.total_seconds():
         raise ValueError(f"--step must be a length of time such as 10min, 30s, 1h or 1d, got {text!r}")
     return timedelta(seconds=seconds)
+
+
+def day_of(text: str) -> date:
+    """The day that `--date` names; ValueError for what names none.
+
+    >>> day_of("2024-02-29")
+    datetime.date(2024, 2, 29)
+    """
+    try:
+        return date.fromisoformat(text)
+    except ValueError:
+        raise ValueError(f"--date must be a day such as 2026-06-21, got {text!r}") from None
 
 
 def frame_times(first: datetime, last: datetime, step: timedelta) -> list[datetime]:

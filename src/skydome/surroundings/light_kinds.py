@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.dome.integrals import colourless, discs_and_rest, illuminance, own_array, projected
+from skydome.dome.integrals import colourless, discs_and_rest, extended, illuminance, own_array, points_of, projected
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
 from skydome.ground.labels import Axis
@@ -15,6 +15,7 @@ from skydome.light.spectrum import Spectrum, checked_wavelengths
 from skydome.skies.colour_sky import ColourSky, SpectralSky
 from skydome.skies.labelled import RGB_CHANNELS, XYZ_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky
+from skydome.skies.suns.point_lights import PointLights
 from skydome.skies.suns.sun_disc import SunDisc
 
 
@@ -41,16 +42,26 @@ class LightKind(ABC):
     def of_sun(self, disc: SunDisc) -> Array:
         """The sun's light on a plane that faces it: (...,) or (..., C)."""
 
+    @abstractmethod
+    def of_points(self, lights: PointLights) -> Array:
+        """The light of each of N points, such as stars, on a plane that faces it: (N,) or (N, C)."""
+
     def on_level(self, sky: Sky) -> Array:
         """Light on the level plane under the open sky, sun's discs and all: the sky's leading axes, then (C,)."""
         discs, rest = discs_and_rest(sky)
         nodes, weights = projected(ZENITH, ZENITH)
         total: Array = 0.0
-        for part in rest:
+        for part in extended(rest):
             total = total + self.weighted(self.toward(part, in_library_of(nodes, part)), weights)
+        for lights, factor in points_of(rest):
+            total = total + self.points_on(lights, ZENITH, factor)
         for disc, factor in discs:
             total = total + self.sun_on(disc, ZENITH, factor)
         return total
+
+    def points_on(self, lights: PointLights, normal: np.ndarray, factor: Any) -> Array:
+        """The points' light on a plane facing `normal` (3,), times `factor`, one or one of each: (...,) or (..., C)."""
+        return (lights.shares(normal) * factor) @ self.of_points(lights)
 
     def sun_on(self, disc: SunDisc, normal: np.ndarray, factor: Any) -> Array:
         """The disc's light on a plane facing `normal` (3,), times `factor`: the sun's leading axes, then (C,)."""
@@ -106,6 +117,10 @@ class LightInLux(LightKind):
         """Normal illuminance, lx."""
         return disc.normal_xyz[..., 1]
 
+    def of_points(self, lights: PointLights) -> Array:
+        """Illuminance of each, lx."""
+        return lights.carried[:, 1]
+
     def on_level(self, sky: Sky) -> Array:
         """Horizontal illuminance, lx."""
         return illuminance(sky)
@@ -139,6 +154,10 @@ class LightInXYZ(LightKind):
         """Normal XYZ."""
         return disc.normal_xyz
 
+    def of_points(self, lights: PointLights) -> Array:
+        """XYZ of each."""
+        return lights.carried
+
 
 @dataclass(frozen=True)
 class LightInRGB(LightInXYZ):
@@ -163,6 +182,10 @@ class LightInRGB(LightInXYZ):
     def of_sun(self, disc: SunDisc) -> Array:
         """Normal RGB."""
         return rgb_from_xyz(disc.normal_xyz, self.space)
+
+    def of_points(self, lights: PointLights) -> Array:
+        """RGB of each."""
+        return rgb_from_xyz(lights.carried, self.space)
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,6 +225,10 @@ class LightInWavelengths(LightKind):
     def of_sun(self, disc: SunDisc) -> Array:
         """Normal spectral irradiance."""
         return disc.irradiance(self.wavelengths)
+
+    def of_points(self, lights: PointLights) -> Array:
+        """Spectral irradiance of each."""
+        return lights.light.at(self.wavelengths)
 
     def shares(self, value: Any) -> np.ndarray:
         """A reflectance as numbers, see `LightKind.shares`; spectra at the wavelengths."""

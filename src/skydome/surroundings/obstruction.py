@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.dome.integrals import discs_and_rest
+from skydome.dome.integrals import discs_and_rest, extended, points_of
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
@@ -95,10 +95,14 @@ class PlaneView:
         return float(self.weights.sum() / np.pi)
 
     def from_sky(self, sky: Sky, light: LightKind = LUX) -> Array:
-        """Illuminance from the visible sky without its sun's discs, lx, shape (...,): the sky's leading axes."""
+        """Illuminance from the visible sky and its stars, no sun's discs, lx, shape (...,): the sky's leading axes."""
+        rest = discs_and_rest(sky)[1]
         total: Array = 0.0
-        for part in discs_and_rest(sky)[1]:
+        for part in extended(rest):
             total = total + light.weighted(light.toward(part, in_library_of(self.directions, part)), self.weights)
+        for lights, factor in points_of(rest):
+            seen = self.surroundings.seen(np.asarray(lights.directions)) < 0
+            total = total + light.points_on(lights, self.normal, seen * factor)
         return total
 
     def from_sun(self, sky: Sky, light: LightKind = LUX) -> Array:

@@ -8,7 +8,7 @@ from typer import Option
 
 from skydome.cli.commands.planes_of_year import YearOptions, tilt_and_azimuth, year_on_planes
 from skydome.cli.doors import progress, refuse_idle
-from skydome.cli.numbers_of_light import moment_facts, notes_row, outside_ranges, sky_rows
+from skydome.cli.numbers_of_light import amount, lit_by, moment_facts, notes_row, outside_ranges, sky_rows
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
@@ -59,7 +59,7 @@ def illuminance(
         raise ValueError("more than one plane, and options of a year, need --weather FILE")
     asked = Asked.of(planes[0], horizon, ground, bands, light, options)
     with progress("adding up the light"):
-        facts = plane_facts(scene_of(options), asked)
+        facts = plane_facts(scene_of(options, any_hour=True), asked)
     show(facts, plane_rows(facts), as_json)
 
 
@@ -172,15 +172,15 @@ def plane_rows(facts: dict[str, Any]) -> dict[str, str]:
     rows = sky_rows(facts) | {
         "plane": f"tilt {plane['tilt_deg']:g}°, facing {plane['azimuth_deg']:g}°",
         "sky view factor": f"{facts['sky_view_factor']:.4f}",
-        "from the sky": f"{light['sky']:,.0f} lx",
-        "from the sun": f"{light['sun']:,.0f} lx",
-        "reflected": f"{light['reflected']:,.0f} lx (albedo {facts['ground_albedo']:g})",
-        "total": f"{light['total']:,.0f} lx",
+        "from the sky": f"{amount(light['sky'])} lx",
+        f"from the {lit_by(facts)}": f"{amount(light['sun'])} lx",
+        "reflected": f"{amount(light['reflected'])} lx (albedo {facts['ground_albedo']:g})",
+        "total": f"{amount(light['total'])} lx",
     }
     for name in ("xyz_lx", "rgb_lx", "irradiance_w_m2_nm"):
         if name in facts:
             pairs = zip(facts[name]["channels"], facts[name]["total"], strict=True)
             rows["total by channel"] = ", ".join(f"{channel} {value:.5g}" for channel, value in pairs)
     if facts["horizon"] is not None:
-        rows["without the horizon"] = f"{facts['unobstructed_lx']:,.0f} lx"
+        rows["without the horizon"] = f"{amount(facts['unobstructed_lx'])} lx"
     return rows | notes_row(facts["notes"])

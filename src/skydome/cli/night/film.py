@@ -1,9 +1,9 @@
 """A film of one day at a place: a map every so many minutes from midnight to midnight, taken up where it stopped."""
 
-from datetime import datetime, timedelta
+from datetime import timedelta
 from pathlib import Path
 
-from skydome.cli.frames import Frames, duration
+from skydome.cli.frames import Frames, day_of, duration
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder
 from skydome.cli.night.movie import Movie
@@ -19,9 +19,9 @@ def film_frames(
     """The frames of a day's film in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
     from skydome.cli.moment import aware_time
 
-    first = aware_time(f"{date}T00:00", zone or "UTC")
-    after = datetime.fromisoformat(date) + timedelta(days=1)
-    last = aware_time(after.date().isoformat() + "T00:00", zone or "UTC") - timedelta(microseconds=1)
+    day = day_of(date)
+    first = aware_time(f"{day}T00:00", zone or "UTC")
+    last = aware_time(f"{day + timedelta(days=1)}T00:00", zone or "UTC") - timedelta(microseconds=1)
     if duration(step) > timedelta(days=1):
         raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
     options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat(), zone=zone or "UTC")
@@ -44,6 +44,7 @@ def film_of(
     """The frames of the options; ValueError in one line for what does not fit together."""
     if captures is not None or place is None:
         raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
+    day_of(date)  # before there is a folder
     folder.mkdir(parents=True, exist_ok=True)
     return film_frames(place, date, zone, step, folder, height, exposure)
 
