@@ -28,10 +28,10 @@ def duration(text: str) -> timedelta:
     return timedelta(seconds=seconds)
 
 
-def day_of(text: str) -> date:
+def day_named(text: str) -> date:
     """The day that `--date` names; ValueError for what names none.
 
-    >>> day_of("2024-02-29")
+    >>> day_named("2024-02-29")
     datetime.date(2024, 2, 29)
     """
     try:

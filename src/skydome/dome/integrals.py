@@ -62,6 +62,12 @@ def own_array(value: Any) -> Any:
     return next((array for array in found if not is_numpy(array)), found[0] if found else None)
 
 
+def in_library_of(table: np.ndarray, sky: Sky) -> Array:
+    """A NumPy table in the library, dtype and device of the sky's own arrays."""
+    like = own_array(sky)
+    return table if like is None else constant(table, like)
+
+
 def arrays_of(value: Any) -> Iterator[Any]:
     """The floating arrays among a sky's parameters and those of its air."""
     if isinstance(value, BARE):
@@ -175,9 +181,7 @@ def horizontal_xyz(sky: ColourSky) -> tuple[Array, Array]:
     for lights, factor in points_of(rest):
         diffuse = diffuse + lights.shares(ZENITH) @ lights.carried * factor
     for part in extended(rest):
-        if not isinstance(part, ColourSky):
-            raise TypeError(colourless(part))
-        diffuse = diffuse + level_xyz(part, zenith)
+        diffuse = diffuse + level_xyz(coloured(part), zenith)
     for disc, factor in discs:
         sun = floating(disc.sun)
         light = disc.normal_xyz * floating(factor, like=sun)[..., None] * at_least(sun[..., 2:], 0.0)
@@ -194,6 +198,13 @@ def level_xyz(sky: ColourSky, zenith: Array) -> Array:
     nodes, weights = projected(zenith, zenith)
     light = sky.xyz(nodes)
     return namespace(light).astype(weights, light.dtype) @ light
+
+
+def coloured(sky: Sky) -> ColourSky:
+    """The sky, known to have colour; TypeError for one that has none."""
+    if not isinstance(sky, ColourSky):
+        raise TypeError(colourless(sky))
+    return sky
 
 
 def colourless(sky: Sky) -> str:

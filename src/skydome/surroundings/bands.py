@@ -17,11 +17,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skydome.dome.integrals import in_library_of
 from skydome.ground.arrays import Array, as_numpy, constant
 from skydome.ground.directions import NORTH, ZENITH, checked_directions, unit
 from skydome.ground.quadrature import gauss_legendre
 from skydome.skies.sky import Sky
-from skydome.surroundings.light_kinds import LUX, LightKind, in_library_of
+from skydome.surroundings.light_kinds import LUX, LightKind
 
 LONGEST_PIECE = np.pi / 4
 NODES_PER_PIECE = 12

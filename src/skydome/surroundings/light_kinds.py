@@ -6,13 +6,21 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.dome.integrals import colourless, discs_and_rest, extended, illuminance, own_array, points_of, projected
+from skydome.dome.integrals import (
+    coloured,
+    discs_and_rest,
+    extended,
+    illuminance,
+    in_library_of,
+    points_of,
+    projected,
+)
 from skydome.ground.arrays import Array, as_numpy, at_least, constant, floating, namespace
 from skydome.ground.directions import ZENITH
 from skydome.ground.labels import Axis
 from skydome.light.colour import SRGB, RGBSpace, rgb_from_xyz
 from skydome.light.spectrum import Spectrum, checked_wavelengths
-from skydome.skies.colour_sky import ColourSky, SpectralSky
+from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.labelled import RGB_CHANNELS, XYZ_CHANNELS, wavelength_axis
 from skydome.skies.sky import Sky
 from skydome.skies.suns.point_lights import PointLights
@@ -235,17 +243,4 @@ class LightInWavelengths(LightKind):
         return value.at(self.wavelengths) if isinstance(value, Spectrum) else super().shares(value)
 
 
-def coloured(sky: Sky) -> ColourSky:
-    """The sky, known to have colour; TypeError for one that has none."""
-    if not isinstance(sky, ColourSky):
-        raise TypeError(colourless(sky))
-    return sky
-
-
 LUX = LightInLux()
-
-
-def in_library_of(table: np.ndarray, sky: Sky) -> Array:
-    """A NumPy table in the library, dtype and device of the sky's own arrays."""
-    like = own_array(sky)
-    return table if like is None else constant(table, like)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skydome.dome.integrals import discs_and_rest, extended, points_of
+from skydome.dome.integrals import discs_and_rest, extended, in_library_of, points_of
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array, as_numpy, constant, namespace
 from skydome.ground.directions import ZENITH, tangent_frame
@@ -18,7 +18,7 @@ from skydome.skies.suns.sun_disc import SunDisc
 from skydome.surroundings.bands import Bands
 from skydome.surroundings.channels import channelled, channels_asked, check_shares
 from skydome.surroundings.intervals import SKY, Intervals, Surroundings, intervals, refined
-from skydome.surroundings.light_kinds import LUX, LightKind, in_library_of
+from skydome.surroundings.light_kinds import LUX, LightKind
 
 DISC_POINTS = 61
 TOLERANCE = 3e-4

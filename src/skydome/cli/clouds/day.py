@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone
-from datetime import date as calendar
 from typing import TYPE_CHECKING
+
+from skydome.cli.frames import day_named
 
 if TYPE_CHECKING:
     import numpy as np
@@ -89,10 +90,7 @@ def day_of(record: "Weather", date: str) -> Day:
 
     from skydome.years.weather.sun_of_interval import lit_sun
 
-    try:
-        day = calendar.fromisoformat(date)
-    except ValueError:
-        raise ValueError(f"--date must be a day such as 2026-06-21, got {date!r}") from None
+    day = day_named(date)
     local = record.local.astype("datetime64[D]").astype(object)
     of_day = np.array([(d.month, d.day) == (day.month, day.day) for d in local])
     rows = record.rows(of_day) if of_day.any() else record

@@ -3,7 +3,7 @@
 from datetime import timedelta
 from pathlib import Path
 
-from skydome.cli.frames import Frames, day_of, duration
+from skydome.cli.frames import Frames, day_named, duration
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder
 from skydome.cli.night.movie import Movie
@@ -19,7 +19,7 @@ def film_frames(
     """The frames of a day's film in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
     from skydome.cli.moment import aware_time
 
-    day = day_of(date)
+    day = day_named(date)
     first = aware_time(f"{day}T00:00", zone or "UTC")
     last = aware_time(f"{day + timedelta(days=1)}T00:00", zone or "UTC") - timedelta(microseconds=1)
     if duration(step) > timedelta(days=1):
@@ -44,7 +44,7 @@ def film_of(
     """The frames of the options; ValueError in one line for what does not fit together."""
     if captures is not None or place is None:
         raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
-    day_of(date)  # before there is a folder
+    day_named(date)  # before there is a folder
     folder.mkdir(parents=True, exist_ok=True)
     return film_frames(place, date, zone, step, folder, height, exposure)
 
