@@ -81,6 +81,17 @@ def test_the_physical_skys_python_is_the_same_sky(opened, tmp_path, monkeypatch)
     assert np.quantile(np.abs(found / wanted - 1), 0.95) < 0.02
 
 
+def test_a_nights_python_has_every_light_that_its_command_has(opened, tmp_path, monkeypatch):
+    """Moon and stars too, not the twilight alone; what straddles two texels may lie in either."""
+    page = opened(f"{TURIN}&time=22:30&model=physical")
+    wanted = next(from_command(page, tmp_path, 16)).pixels
+    monkeypatch.chdir(tmp_path)
+    exec(page.ask("explorer.words")["python"].replace("height=1024", "height=16"), {})
+    found = exr.read(tmp_path / "sky.exr")[0]
+    assert np.quantile(np.abs(found / wanted - 1), 0.95) < 1e-4
+    np.testing.assert_allclose(found.sum((0, 1)), wanted.sum((0, 1)), rtol=1e-3)
+
+
 @pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")
@@ -131,6 +142,20 @@ def test_dragging_the_sun_changes_picture_and_numbers(opened, view):
     assert abs(page.ask("explorer.numbers[0].global[1]") / before - 1) > 0.02
     assert page.page.screenshot() != picture
     assert "sun=" in page.page.url
+
+
+def test_keys_are_heard_before_anything_is_clicked_and_once(opened):
+    page = opened(f"{TURIN}&time=16:00")
+    for key in (".", "d", "ArrowUp"):
+        page.page.keyboard.press(key)
+        page.settle()
+    state = page.ask("explorer.state")
+    assert (state["minutes"], state["view"]) == (1020, "panorama")
+    found = state["sun"]
+    page.page.locator(".over").focus()
+    page.page.keyboard.press("ArrowUp")
+    page.settle()
+    assert page.ask("explorer.state.sun[1]") == pytest.approx(found[1] + 1)
 
 
 def test_an_address_comes_back_as_it_was(opened):

@@ -38,4 +38,6 @@ def test_on_a_skys_axes_it_goes_through_the_sun():
     height, turn = path.elevations[k], np.radians(path.azimuths[k])
     np.testing.assert_allclose(line[k], (1 - height / 90) * np.array([-np.sin(turn), np.cos(turn)]))
     own = path.plot().lines[-1].get_xydata()
+    both = path.plot(ax=path.plot())
+    np.testing.assert_array_equal(both.lines[1].get_xydata(), own)
     assert np.nanmax(own[:, 1]) == pytest.approx(path.elevations.max())

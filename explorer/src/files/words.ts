@@ -49,8 +49,23 @@ const CLASSES: Record<string, string> = {
   "harrison-coombes": "HarrisonCoombes", pokrowski: "Pokrowski", "moon-spencer": "MoonSpencer", uniform: "Uniform",
 };
 
+/** Whether the command shows every light of the hour: the sun has set on the physical sky of a place. */
+const isNight = ({ state, model, sun }: Scene): boolean => model.name === "physical" && !state.sun && sun[2] < 0;
+
+/** Python that makes the map of every light of a night's hour. */
+function nightPython(scene: Scene): string {
+  const { state } = scene;
+  const place = `sd.Place(${short(state.latitude)}, ${short(state.longitude)})`;
+  const time = isoText(state.date, state.minutes, state.zone);
+  return [
+    "import skydome as sd", "", `sky = sd.sky_at(${place}, "${time}", ${physicalAir(scene)})`,
+    `sd.render(sky, height=1024).save("sky.exr", target="${state.target}")`, "",
+  ].join("\n");
+}
+
 /** Python that makes the sky's map. */
 export function asPython(scene: Scene): string {
+  if (isNight(scene)) return nightPython(scene);
   const { state, model } = scene;
   const time = isoText(state.date, state.minutes, state.zone);
   const [turn, height] = sunAngles(scene.sun);

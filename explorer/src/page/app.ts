@@ -12,7 +12,7 @@ import type { Control } from "./controls";
 import { section, segments } from "./controls";
 import { h, icon, tell } from "./element";
 import { exrOf, takeAway } from "./takeaway";
-import { onKeys } from "./keyboard";
+import { keysList, onKeys } from "./keyboard";
 import { Legend, STOPS } from "./legend";
 import { pictureSection, skySection } from "./panel";
 import { Places } from "./places";
@@ -88,7 +88,8 @@ export class Explorer {
       h("header", {}, h("h1", {}, icon(SUN), "skydome"), view.element, show.element, h("span", { class: "space" }), theme),
       h("main", {}, this.stage.element, h("div", {}, this.year.element, this.timeline.element)),
       h("aside", { "aria-label": "Sky, place and light" }, sky.element, section("Light", this.readout.element),
-        section("Place", this.places.element, h("div", { class: "buttons" }, this.year.open)), picture.element, takeAway(this)),
+        section("Place", this.places.element, h("div", { class: "buttons" }, this.year.open)), picture.element, takeAway(this),
+        section("Keys", keysList())),
     );
   }
 

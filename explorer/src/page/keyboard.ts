@@ -1,16 +1,31 @@
 /** Keys of the whole page, where nobody is typing. */
 
 import type { Explorer } from "./app";
+import { h } from "./element";
 import type { State } from "./state";
 
-/** What each key does, for people. */
-export const KEYS: [string, string][] = [
-  ["← → ↑ ↓", "move the sun (picture in focus), Shift for 10°"], ["space", "play the day"], [", .", "an hour back, on"],
+/** What each key does. */
+const KEYS: [string, string][] = [
+  ["← → ↑ ↓", "move the sun, Shift for 10°"], ["space", "play the day"], [", .", "an hour back, on"],
   ["d", "dome or panorama"], ["f", "false colours"], ["e", "lock the exposure"], ["p", "sun path"], ["a", "analemma"],
 ];
 
+/** The keys and what they do, to be read. */
+export const keysList = (): HTMLElement => h("dl", {}, ...KEYS.flatMap(([key, does]) => [h("dt", {}, key), h("dd", {}, does)]));
+
+/** Hear the keys that are pressed within the explorer, and of a page of its own those that nothing on it has in focus. */
 export function onKeys(explorer: Explorer): void {
-  explorer.root.addEventListener("keydown", (event) => {
+  const { root } = explorer;
+  hear(root, explorer);
+  if (!root.parentElement?.classList.contains("sd-page")) return;
+  const body = root.parentElement;
+  body.addEventListener("keydown", (event) => event.target === body && !event.defaultPrevented && explorer.stage.key(event));
+  hear(body, explorer, (event) => event.target === body);
+}
+
+function hear(element: HTMLElement, explorer: Explorer, meant: (event: KeyboardEvent) => boolean = () => true): void {
+  element.addEventListener("keydown", (event) => {
+    if (!meant(event)) return;
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input:not([type=range]), select, textarea")) return;
     if (event.key === " " && target.matches("button, input, summary")) return;

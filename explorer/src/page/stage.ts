@@ -170,7 +170,8 @@ export class Stage {
     this.change({});
   }
 
-  private key(event: KeyboardEvent): void {
+  /** Arrows move the sun. */
+  key(event: KeyboardEvent): void {
     const step = event.shiftKey ? 10 : 1;
     const way = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as const)[event.key as "ArrowUp"];
     if (!way || !this.scene || event.ctrlKey || event.metaKey || event.altKey) return;

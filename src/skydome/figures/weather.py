@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from skydome.figures.years import MONTHS, STARTS
 from skydome.ground.extras import required
+from skydome.years.heat_map import MONTHS
 from skydome.years.quality.checks import FLAGS
 from skydome.years.quality.report import CLEARNESS_EDGES, QualityReport
 
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+STARTS = np.array([0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334])
+"""Days before each month."""
 SHOWN = 400
 """Hours with sun of which closure is shown."""
 

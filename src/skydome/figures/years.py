@@ -7,20 +7,13 @@ import numpy as np
 from skydome.dome.patches import patches as patches_named
 from skydome.ground.extras import required
 from skydome.maps.projections import Fisheye
+from skydome.years.heat_map import GLOBAL, LABELS, MONTHS, heat_map, local_times, quantity
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
-STARTS = np.array([0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334])
 SIDE = 260
-LABELS = {
-    "global_horizontal_illuminance": "global horizontal illuminance, klx",
-    "diffuse_horizontal_illuminance": "diffuse horizontal illuminance, klx",
-    "direct_normal_illuminance": "direct normal illuminance, klx",
-}
 
 
 def year_figure(data: "xarray.Dataset", title: str = "") -> "Figure":
@@ -38,57 +31,11 @@ def year_figure(data: "xarray.Dataset", title: str = "") -> "Figure":
     parts: Any = figure.subfigures(2, 1, height_ratios=(1.25, 1))
     top, bottom = parts
     axes = top.subplots(2, 1, sharex=True)
-    for axis, name in zip(axes, ("global_horizontal_illuminance", "diffuse_horizontal_illuminance"), strict=True):
-        draw_hours(top, axis, data, quantity(data, name), LABELS[name])
-    axes[-1].set_xticks(STARTS, MONTHS, ha="left")
+    for axis, name in zip(axes, (GLOBAL, "diffuse_horizontal_illuminance"), strict=True):
+        heat_map(local_times(data), quantity(data, name) / 1000, LABELS[name], axis)
     draw_months(bottom, data)
     figure.suptitle(title or str(data.attrs.get("title", "")), fontsize=13)
     return figure
-
-
-def quantity(data: "xarray.Dataset", name: str) -> np.ndarray:
-    """A series (T,), lx: a variable, or diffuse plus direct on the horizontal."""
-    if name != "global_horizontal_illuminance":
-        return np.asarray(data[name].values)
-    sine = np.maximum(np.sin(np.radians(data["sun_elevation"].values)), 0.0)
-    total: np.ndarray = data["diffuse_horizontal_illuminance"].values + data["direct_normal_illuminance"].values * sine
-    return total
-
-
-def local_times(data: "xarray.Dataset") -> np.ndarray:
-    """The middles of the intervals by the file's standard time, datetime64[s]."""
-    offset = np.timedelta64(round(float(data.attrs.get("utc_offset", 0.0)) * 3600), "s")
-    local: np.ndarray = data["time"].values.astype("datetime64[s]") + offset
-    return local
-
-
-def by_hour_and_day(data: "xarray.Dataset", values: np.ndarray) -> np.ndarray:
-    """Means (24, days) of a series, NaN where nothing is known; the first column is the first day of the data."""
-    local = local_times(data)
-    day = (local.astype("datetime64[D]") - local[0].astype("datetime64[D]")).astype(np.int64)
-    hour = ((local - local.astype("datetime64[D]")).astype(np.int64) // 3600).astype(np.int64)
-    total, count = np.zeros((24, day.max() + 1)), np.zeros((24, day.max() + 1))
-    known = np.isfinite(values)
-    np.add.at(total, (hour[known], day[known]), values[known])
-    np.add.at(count, (hour[known], day[known]), 1)
-    return np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0)
-
-
-def draw_hours(figure: "Figure", axes: "Axes", data: "xarray.Dataset", values: np.ndarray, label: str) -> None:
-    """One heat map, midnight at the bottom."""
-    table = by_hour_and_day(data, values / 1000)
-    axes.set_facecolor("0.6")
-    image = axes.imshow(
-        np.ma.masked_invalid(table),
-        origin="lower",
-        aspect="auto",
-        cmap="inferno",
-        extent=(0, table.shape[1], 0, 24),
-        interpolation="nearest",
-    )
-    axes.set_yticks([0, 6, 12, 18, 24])
-    axes.set_ylabel("hour, standard time")
-    figure.colorbar(image, ax=axes, label=label, pad=0.01)
 
 
 def draw_months(figure: "Figure", data: "xarray.Dataset") -> None:

@@ -50,8 +50,9 @@ class SunPath:
         return 24.0 * float((self.directions[:, 2] > 0).mean())
 
     def plot(self, ax: "Axes | None" = None, **style: Any) -> "Axes":
-        """The path above the horizon on a sky's axes (`ax=sky.plot()`), looking up, or elevation by azimuth on its own.
+        """The path above the horizon on a sky's axes (`ax=sky.plot()`), looking up, else elevation by azimuth.
 
+        Axes without a picture, and those of its own where `ax` is None, show elevation by azimuth.
         `style` is what Matplotlib's lines take.
         """
         required("matplotlib", "plot", "a plot")
@@ -64,6 +65,7 @@ class SunPath:
             figure = Figure(figsize=(7, 3.5), layout="constrained")
             FigureCanvasAgg(figure)
             ax = figure.add_subplot()
+        if not ax.images:
             ax.plot(self.azimuths, height, **style)
             ax.set(xlabel="azimuth, degrees from north", ylabel="elevation, degrees", xlim=(0, 360), ylim=(0, 90))
             return ax

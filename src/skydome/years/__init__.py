@@ -7,5 +7,6 @@
 - planes/       Light on planes through a year: walls, desks, panels
 - metrics/      The numbers that engineers sign: daylight autonomy, EN 17037, glare, doses
 - gendaymtx/    A year by the rules of Radiance's gendaymtx, number by number
+- heat_map      A year as a heat map: hours of the day against days, for weather and for years of skies
 - stores/       A year out: stores and files that appear whole or not at all
 """

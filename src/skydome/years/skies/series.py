@@ -15,6 +15,7 @@ from skydome.ground.limits.sizes import require_memory
 from skydome.ground.units import RADIANCE_EFFICACY, deg
 from skydome.sun.place import Place
 from skydome.sun.track import SunTrack
+from skydome.years.heat_map import register_plot
 from skydome.years.skies import status as flags
 from skydome.years.skies.colour_year import Weathered, add_colour, add_spectrum
 from skydome.years.skies.dome_means import dome_means
@@ -184,6 +185,7 @@ def dataset(weather: Weather, sky: PerezYear, cut: Patches, luminance: np.ndarra
         "patches": cut.name,
         "frame": "azimuth clockwise from north; patches in Radiance's order without the ground",
     }
+    register_plot()
     return xarray.Dataset(variables, coordinates(weather, sky, cut), about)
 
 

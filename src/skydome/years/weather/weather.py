@@ -12,13 +12,15 @@ from skydome.ground.arrays import brief
 from skydome.ground.limits.ranges import FINITE, Range, require, require_one
 from skydome.light.irradiance import require_irradiances, without_offsets
 from skydome.sun.place import Place
+from skydome.years.heat_map import heat_map
 from skydome.years.weather.calendar import Label, check_label
 from skydome.years.weather.frame import told_by
 from skydome.years.weather.splitting import split
-from skydome.years.weather.sun_of_interval import Intervals
+from skydome.years.weather.sun_of_interval import Intervals, lit_sun
 
 if TYPE_CHECKING:
     import pandas as pd
+    from matplotlib.axes import Axes
 
 
 OFFSETS = Range(-26.0, 26.0, "hours")
@@ -142,6 +144,20 @@ class Weather(Intervals):
         """The middle of each interval by the file's standard time, datetime64[s] without zone, (T,)."""
         local: np.ndarray = self.middle + np.timedelta64(round(self.utc_offset * 3600), "s")
         return local
+
+    @property
+    def whole(self) -> np.ndarray:
+        """Global horizontal irradiance, W m-2, (T,): as measured, or direct and diffuse under the hour's sun."""
+        if self.global_horizontal is not None:
+            return self.global_horizontal
+        found: np.ndarray = self.diffuse_horizontal + self.direct_normal * np.maximum(
+            lit_sun(self).directions[:, 2], 0.0
+        )
+        return found
+
+    def plot(self, ax: "Axes | None" = None) -> "Axes":
+        """A heat map of global horizontal irradiance, W m-2, hours of the day against days, on `ax` or its own axes."""
+        return heat_map(self.local, self.whole, "global horizontal irradiance, W m⁻²", ax)
 
     @property
     def missing(self) -> np.ndarray:
