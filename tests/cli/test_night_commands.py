@@ -40,7 +40,8 @@ def test_a_film_of_a_day_is_taken_up_again(call, refused, tmp_path):
     assert "--date must be a day such as" in refused(*film[:4], "2026-02-30", *film[5:-1], tmp_path / "none")
     assert not (tmp_path / "none").exists()
     assert "a day at most" in refused(*film[:6], "48h", *film[7:])
-    assert "at most 100,000 frames, got 864,000" in refused(*film[:6], "0.1s", *film[7:])
+    assert "at most 100,000 frames, got 864,000" in refused(*film[:6], "0.1s", *film[7:-1], tmp_path / "new")
+    assert not (tmp_path / "new").exists()
     assert "--place and --date" in refused("animate", "-o", tmp_path)
     assert "give --place and --date" in refused("animate", "--date", "2026-01-18", "-o", tmp_path)
 

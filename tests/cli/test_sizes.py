@@ -30,3 +30,17 @@ def test_counts_that_nobody_needs(refused, tmp_path, words, message):
     (tmp_path / "in").mkdir()
     places = {"EPW": tmp_path / "none.npz", "IN": tmp_path / "in", "OUT": tmp_path / "out"}
     assert message in refused(*(places.get(word, word) for word in words))
+
+
+def test_long_tables_are_refused_in_a_short_line(refused, tmp_path):
+    """A table of 1.9 million sites took 1.5 GB and a line of 100 MB; a list of settings all its numbers."""
+    long, many = tmp_path / "long.csv", tmp_path / "many.csv"
+    long.write_text("name,file\n" + "a,a.wea\n" * 100_001)
+    assert refused("year", long, "-o", tmp_path / "a.zarr").endswith("at most 100000 sites in long.csv, got 100001\n")
+    many.write_text("name,file\n" + "a,a.wea\n" * 1000)
+    assert len(refused("year", many, "-o", tmp_path / "a.zarr")) < 2100
+    grid = tmp_path / "grid.toml"
+    grid.write_text(f"turbidities = [{'1,' * 1000}1]")
+    assert len(refused("simulate", grid, "-o", tmp_path / "a.zarr")) < 200
+    grid.write_text("x = 1 #" + " " * (1 << 20))
+    assert "may take 1 MB" in refused("simulate", grid, "-o", tmp_path / "a.zarr")

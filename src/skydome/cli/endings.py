@@ -16,6 +16,9 @@ REPORT = f"please report this with the command and what {DEBUG} shows"
 FORESEEN = (ValueError, TypeError, ImportError)
 """What says itself what is wrong; any other error is a fault of ours, or of a library before a damaged file."""
 
+MOST_LETTERS = 2000
+"""Of a line on stderr: what a damaged file holds may be long."""
+
 
 @contextmanager
 def ending(program: str, debug: bool = False) -> Iterator[None]:
@@ -99,9 +102,11 @@ def warnings_in_lines(program: str) -> Iterator[None]:
 
 
 def complain(program: str, words: str) -> None:
-    """One line on stderr, if anybody listens."""
+    """One line on stderr, of at most `MOST_LETTERS`, if anybody listens."""
+    line = " ".join(words[: 2 * MOST_LETTERS].split())
+    line = line if len(line) <= MOST_LETTERS else f"{line[:MOST_LETTERS]}..."
     with suppress(OSError, ValueError):
-        print(f"{program}:", " ".join(words.split()), file=sys.stderr, flush=True)
+        print(f"{program}:", line, file=sys.stderr, flush=True)
 
 
 class AskedToEnd(SystemExit):

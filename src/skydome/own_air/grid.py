@@ -18,7 +18,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.constituents import Aerosol, Ozone
 from skydome.air.phase_laws import HenyeyGreenstein
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, brief
 from skydome.ground.directions import direction
 from skydome.ground.extras import required
 from skydome.ground.files.folders import folder_appearing
@@ -67,7 +67,8 @@ class Grid(Bounded):
         for name in AXES:
             values = np.ravel(getattr(self, name)).astype(np.float64)
             if not values.size or len(set(values.tolist())) < values.size:
-                raise ValueError(f"{name} must be one number or more, each once, got {values.tolist()}")
+                got = brief(values.tolist(), typed=False)
+                raise ValueError(f"{name} must be one number or more, each once, got {got}")
             object.__setattr__(self, name, tuple(values.tolist()))
         self.require_bounds()
         if self.streams % 2:

@@ -1,10 +1,15 @@
 """The sun through bending air: what is seen of it, its shape, its light by points, by radiance and on maps."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.light.spectrum import xyz_from_radiance
+from skydome.skies.all_air import bent_sun
 from skydome.skies.all_air.bent_sun import BentSun
+from skydome.skies.suns.sun_disc import limb_darkening
 
 
 def disc_at(elevation):
@@ -54,3 +59,27 @@ def test_on_a_map():
     disc = sd.SunDisc.of(sky)
     with_sun, without = (sd.render(part, height=256).illuminance() for part in (sky + disc, sky))
     np.testing.assert_allclose(with_sun - without, disc.illuminance(sd.ZENITH), rtol=0.01)
+
+
+def test_many_points_take_little_memory_and_have_the_same_light(monkeypatch):
+    """Whole spectra of each point took 0.9 GB where maps ask for 262,144 of them."""
+    disc = disc_at(1.0)
+    tracemalloc.start()
+    together = disc.points(1 << 14)
+    whole = tracemalloc.get_traced_memory()[1]
+    tracemalloc.reset_peak()
+    monkeypatch.setattr(bent_sun, "AT_ONCE", 1 << 16)
+    apart = disc.points(1 << 14)
+    assert tracemalloc.get_traced_memory()[1] < 0.6 * whole
+    tracemalloc.stop()
+    np.testing.assert_array_equal(apart[0], together[0])
+    np.testing.assert_allclose(apart[1], together[1], rtol=1e-12)
+
+
+def test_points_of_straight_suns_have_the_limb_of_their_spectra():
+    disc = sd.SunDisc(sd.direction(1.0, 0.2), 4.0)
+    light = disc.points(50)[1]
+    mu = np.sqrt(1 - (np.arange(50) + 0.5) / 50)
+    spectra = limb_darkening(mu, disc.bands) * disc.centre_radiance(disc.bands)
+    wanted = xyz_from_radiance(spectra, disc.bands)
+    np.testing.assert_allclose(light / light.sum(axis=0), wanted / wanted.sum(axis=0), rtol=1e-12)

@@ -14,7 +14,6 @@ from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.scene import Scene, scene_of
 from skydome.ground.extras import required
-from skydome.sun.day import is_day
 
 PATH_STEP = timedelta(minutes=5)
 
@@ -28,6 +27,7 @@ def plot(
     """Plot the sky's luminance looking up, north up, east at the left; with the sun's path, or moon and stars."""
     from skydome.figures.skies import FORMATS, save_figure, sky_figure
     from skydome.skies.validity import parameters_text
+    from skydome.sun.day import is_day
 
     require_output(output, "a plot's file", FORMATS)
     required("matplotlib", "plot", "a plot")
@@ -48,6 +48,7 @@ def plot(
 def marked(scene: Scene) -> Any:
     """Where the sun stands, or the moon when the sun has set; None where neither is known or up."""
     from skydome.dome.integrals import discs_and_rest
+    from skydome.sun.day import is_day
 
     moment = scene.moment
     if moment is None or is_day(moment.direction):

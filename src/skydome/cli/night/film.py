@@ -8,6 +8,7 @@ from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder
 from skydome.cli.night.movie import Movie
 from skydome.cli.options import SkyOptions
+from skydome.ground.files.folders import folder_for_work
 
 FRAMES = {"exr": "sky.####.exr", "png": "sky.####.png"}
 """The names of frames by their format."""
@@ -44,9 +45,8 @@ def film_of(
     """The frames of the options; ValueError in one line for what does not fit together."""
     if captures is not None or place is None:
         raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
-    day_named(date)  # before there is a folder
-    folder.mkdir(parents=True, exist_ok=True)
-    return film_frames(place, date, zone, step, folder, height, exposure)
+    with folder_for_work(folder):
+        return film_frames(place, date, zone, step, folder, height, exposure)
 
 
 def movie_of(film: Path | None, date: str | None, exposure: float | None, night_vision: bool) -> Movie | None:

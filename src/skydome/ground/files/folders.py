@@ -21,6 +21,26 @@ def is_empty(folder: Path) -> bool:
 
 
 @contextmanager
+def folder_for_work(path: Path) -> Iterator[None]:
+    """A folder that is there within; one that was not there before goes again where the work in it cannot begin.
+
+    >>> import tempfile
+    >>> frames = Path(tempfile.mkdtemp(), "frames")
+    >>> with folder_for_work(frames):
+    ...     frames.is_dir()
+    True
+    """
+    there = path.is_dir()
+    path.mkdir(parents=True, exist_ok=True)
+    try:
+        yield
+    except BaseException:
+        if not there and is_empty(path):
+            path.rmdir()
+        raise
+
+
+@contextmanager
 def folder_appearing(path: str | PathLike[str]) -> Iterator[Path]:
     """The name of a folder to make beside `path`; on leaving it becomes `path`, on any error it is removed.
 

@@ -19,6 +19,8 @@ from skydome.ground.arguments import require_file
 MEGABYTE = 1 << 20
 TEXT = 16 * MEGABYTE
 """Most bytes of a text that describes something: settings, numbers, a table of sites."""
+SETTINGS = MEGABYTE
+"""Most bytes of a TOML file, whose reader takes a second for each half megabyte."""
 
 
 @contextmanager
@@ -108,7 +110,7 @@ def toml_in(path: str | PathLike[str], what: str) -> dict[str, Any]:
     """What a .toml file holds."""
     import tomllib
 
-    text = text_in(path, what)
+    text = text_in(path, what, SETTINGS)
     with decoding(path, f"{what} (TOML)"):
         return tomllib.loads(text)
 

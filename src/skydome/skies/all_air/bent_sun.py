@@ -22,6 +22,9 @@ from skydome.skies.suns.sun_disc import limb_darkening, limb_mean
 SPOTS = 256
 """Points of the disc that its irradiance is summed over."""
 
+AT_ONCE = 1 << 21
+"""Numbers of light of points that are held together."""
+
 
 @dataclass(frozen=True, eq=False)
 class BentSun(AtmosphereSun):
@@ -89,10 +92,12 @@ class BentSun(AtmosphereSun):
     def points(self, count: int) -> tuple[Array, Array]:
         """Directions (..., count, 3) over what is seen of the disc, and the XYZ of the light that each carries.
 
-        For one sun and air, or one for each of suns and airs (..., 1).
+        For one sun and air, or one for each of suns and airs (..., 1). Many points are lit some wavelengths at a time.
         """
-        directions, light = self.spots(count, self.bands)
-        xyz = light @ xyz_weights(self.bands)
+        step, weights, xyz = max(1, AT_ONCE // count), xyz_weights(self.bands), np.zeros(3)
+        for start in range(0, self.bands.size, step):
+            directions, light = self.spots(count, self.bands[start : start + step])
+            xyz = xyz + light @ weights[start : start + step]
         xyz = xyz * safe_divide(self.normal_xyz[..., None, :], xyz.sum(axis=-2, keepdims=True))
         return without_views(directions), without_views(xyz)
 

@@ -231,8 +231,7 @@ class SunDisc(SunlitSky, SpectralSky):
     def points(self, count: int) -> tuple[Array, Array]:
         """Directions (..., count, 3) evenly over the disc, and the XYZ of the light that each carries, (..., count, 3).
 
-        A sunflower spiral (Vogel 1979) for a sun of shape (3,), or one for each of suns (..., 1, 3). The second sums to
-        `normal_xyz` exactly: so maps lose no energy.
+        A spiral (Vogel 1979) for a sun of shape (3,), or for each of suns (..., 1, 3). Light sums to `normal_xyz`.
         """
         sun = floating(np.asarray(self.sun, np.float64) if is_numpy(self.sun) else self.sun)
         if sun.ndim > 1 and sun.shape[-2] != 1:
@@ -244,7 +243,8 @@ class SunDisc(SunlitSky, SpectralSky):
         u, v = tangent_frame(sun)
         across = (sine * constant(np.cos(turn), sun))[..., None], (sine * constant(np.sin(turn), sun))[..., None]
         directions = across[0] * u + across[1] * v + xp.sqrt(1 - sine**2)[..., None] * sun
-        profile = constant(limb_darkening(np.sqrt(1 - square), self.bands), sun) * self.centre_radiance(self.bands)
-        light = profile @ constant(xyz_weights(self.bands), sun)
+        powers = constant(np.sqrt(1 - square)[:, None] ** np.arange(6.0), sun)
+        centre = constant(limb_coefficients(self.bands).T, sun) * self.centre_radiance(self.bands)
+        light = powers @ (centre @ constant(xyz_weights(self.bands), sun))
         normal = self.normal_xyz
         return directions, light * safe_divide(normal, xp.sum(light, axis=-2, keepdims=normal.ndim > 1))

@@ -6,12 +6,15 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from io import StringIO
+from itertools import islice
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from skydome.ground.arrays import brief
 from skydome.ground.extras import required
 from skydome.ground.files.reading import decoding, text_in
+from skydome.ground.limits.sizes import require_count
 from skydome.sun.track import SunTrack
 from skydome.years.stores.cluster import cluster_client
 from skydome.years.stores.sites_store import FAILED, HOURS, Site, is_whole, mark, open_store, write_site
@@ -20,6 +23,8 @@ from skydome.years.weather.reading import as_written
 from skydome.years.weather.weather import Weather
 
 SITES_A_TASK = 5
+MOST_SITES = 100_000
+"""In a table."""
 
 
 @dataclass(frozen=True)
@@ -40,9 +45,10 @@ def read_sites(path: str | PathLike[str], folder: str | PathLike[str] | None = N
     text = StringIO(text_in(path, "a table of sites"), newline="")
     with decoding(path, "a table of sites"):
         table = csv.DictReader(text)
-        titles, rows = table.fieldnames, list(table)
+        titles, rows = table.fieldnames, list(islice(table, MOST_SITES + 1))
     if titles is None or not {"name", "file"} <= set(titles):
-        raise ValueError(f"{Path(path).name} needs columns name and file, got {titles}")
+        raise ValueError(f"{Path(path).name} needs columns name and file, got {brief(titles, typed=False)}")
+    require_count(len(rows), MOST_SITES, f"sites in {Path(path).name}")
     for row, cells in enumerate(rows, start=2):
         name, weather = (cells.get("name") or "").strip(), (cells.get("file") or "").strip()
         if not name or not weather:
