@@ -10,6 +10,7 @@ from skydome.air.clouds.particles import CloudOptics, CloudParticles, Ice, Water
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Tabulated
 from skydome.ground.limits.ranges import Range
+from skydome.ground.quadrature import hemisphere
 from skydome.skies.clouds.fields import noise
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.incident import spectrum_of
@@ -104,6 +105,19 @@ def test_diffusion_through_a_slab():
     assert up + down + direct + taken == pytest.approx(1.0)
     assert straight + scattered == pytest.approx(down + direct, abs=0.03)
     assert photon_shares(lit, 2000, 0.98)[3] > 0.2
+
+
+@pytest.mark.parametrize(("thickness", "extinction"), [(1000.0, 0.3), (300.0, 0.9)])
+def test_dense_slab_is_dark(thickness, extinction):
+    """Seen by rays, it sends down what two streams leave of a depth of 270-300."""
+    field = CloudField(Slab(Water()), cover=1.0, thickness=thickness, extinction=extinction)
+    nodes, each = hemisphere(8, 16)
+    lit = LitField.of(field, SUN)
+    of_sun, of_sky, of_ground = ((each * nodes[:, 2]) @ lit.seen(nodes)[:, 1:4]).tolist()
+    known = 1 / (1 + 0.75 * thickness * extinction * (1 - lit.asymmetry))
+    assert of_sky == pytest.approx(known, rel=0.03)
+    assert of_ground == pytest.approx(1 - known, rel=0.001)
+    assert of_sun == pytest.approx(lit.budget[1], rel=0.03)
 
 
 @pytest.mark.parametrize("particles", [Grains(0.0), Water()])

@@ -17,13 +17,18 @@ from skydome.skies.clouds.fields.scattering import FIRST, STEP
 compiled, part = job(), inlined()
 GONE = 0.02
 """Transmittance at which a ray ends, and what is left of it sees what it saw last."""
+DENSE = 1.0
+"""Scaled optical depth of a step at most; ordinary cloud has half of it."""
 FOUR_PI = 4 * math.pi
 
 
 @part
-def fluences(light, x, y, z):
-    """The fluences of sun, sky and ground, linear between the middles of cells."""
+def fluences(light, x, y, z, lowest):
+    """The fluences of sun, sky and ground, linear between the middles of cells, and from the lowest of them to the base,
+    where the optical depth of half a cell is `lowest` when all turns are made even (Marshak's boundary).
+    """
     rows, columns, levels, _ = light.shape
+    left = 1.0 - 2.0 * min(max(-z, 0.0), 0.5) * 1.5 * lowest / (1.0 + 1.5 * lowest)
     z = min(max(z, 0.0), levels - 1.000001)
     fx, fy, fz = math.floor(x), math.floor(y), math.floor(z)
     u, v, w = x - fx, y - fy, z - fz
@@ -36,12 +41,12 @@ def fluences(light, x, y, z):
         sun += weight * (light[b, a, k, 1] * (1 - w) + light[b, a, k + 1, 1] * w)
         sky += weight * (light[b, a, k, 2] * (1 - w) + light[b, a, k + 1, 2] * w)
         ground += weight * (light[b, a, k, 3] * (1 - w) + light[b, a, k + 1, 3] * w)
-    return sun, sky, ground
+    return sun * left, sky * left, ground + sky * (1.0 - left)  # under both lights it is even
 
 
 @part
 def onward(low, high, way, ahead):
-    """Diffuse light scattered toward the eye, by the fluence half a cell before and behind: with 3 g flux toward it,
+    """Diffuse light scattered toward the eye, by the fluence somewhat before and behind: with 3 g flux toward it,
     held to what is possible.
     """
     fluence = 0.5 * (low + high)
@@ -93,12 +98,14 @@ def sources(m, light, sun, numbers, view, here, sigma):
     a, b, up, cosine, dx, dz = view
     close, beyond = depth_to_sun(m, light, sun, x, y, z, dx, dz, 2.0 * near)
     depth = close * kept + beyond
-    u, v, w, high = x / dx - 0.5, y / dx - 0.5, z / dz - 0.5, 0.5 * up * dx / dz
-    s1, k1, g1 = fluences(light, u + 0.5 * a, v + 0.5 * b, w + high)
-    s0, k0, g0 = fluences(light, u - 0.5 * a, v - 0.5 * b, w - high)
-    left = asymmetry / (1.0 + asymmetry)
     turned = sigma * (1.0 - asymmetry)
-    way = left / (max(turned, open_air) * dx)
+    off, lowest = min(0.5 * dx, 0.5 / turned), 0.5 * turned * dz  # half a cell, or half a free path in dense cloud
+    u, v, w = x / dx - 0.5, y / dx - 0.5, z / dz - 0.5
+    east, north, high = a * off / dx, b * off / dx, up * off / dz
+    s1, k1, g1 = fluences(light, u + east, v + north, w + high, lowest)
+    s0, k0, g0 = fluences(light, u - east, v - north, w - high, lowest)
+    left = asymmetry / (1.0 + asymmetry)
+    way = left / (max(turned, open_air) * 2.0 * off)
     ahead = 3.0 * left * left / (1.0 - left) * min(turned / open_air, 1.0) * math.exp(-depth) * cosine
     return depth, onward(s0, s1, way, ahead), onward(k0, k1, way, 0.0), onward(g0, g1, way, 0.0)
 
@@ -130,6 +137,10 @@ def marched(first, last, m, directions, light, gaps, period, sun, numbers, out):
                 s, was_cloud = s + (step if was_cloud else 1.5 * step), False
                 continue
             step = step if was_cloud else max(0.5 * step, fine)
+            if sigma * kept * step > DENSE:
+                step = DENSE / (sigma * kept)
+                middle = s + 0.5 * step
+                here = (middle * a + m.east, middle * b + m.north, height_over(middle, up) - m.base)
             depth, by_sun, by_sky, by_ground = sources(m, light, sun, numbers, view, here, sigma)
             share = through * (1.0 - math.exp(-sigma * kept * step))
             share = through if through - share < GONE else share
