@@ -1,11 +1,13 @@
 """Clouds that carry measured light."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
 import skydome as sd
 from skydome.dome.energy.cloud_course import leaving, on_course
-from skydome.dome.energy.drifting_clouds import DriftingClouds, Row
+from skydome.dome.energy.drifting_clouds import Anchor, DriftingClouds, Row
 from skydome.dome.energy.nearest_clouds import nearest_clouds
 from skydome.skies.clouds.fields.shadows import sun_share
 
@@ -13,10 +15,20 @@ pytest.importorskip("numba")
 SUN = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
 
 
+@dataclass(frozen=True)
+class Coarse(sd.Cumulus):
+    """Cumulus of few places, so that a try costs little."""
+
+    count, levels = 64, 16
+
+
+FIELD = sd.CloudField(Coarse(), seed=7, wind=(6.0, 2.0))
+
+
 @pytest.mark.parametrize(("dni", "dhi"), [(0.0, 30.0), (420.0, 85.0)])
 def test_light_is_that_measured(dni, dhi):
     """Dark rain, and half a sun with little diffuse light."""
-    found = sd.clouds_for(dni, dhi, SUN, sd.CloudField(sd.Cumulus(), seed=7))
+    found = sd.clouds_for(dni, dhi, SUN, FIELD)
     light = sd.broadband(found.whole)
     assert light.direct_normal == pytest.approx(dni, rel=0.01)
     assert light.diffuse_horizontal == pytest.approx(dhi, rel=0.01)
@@ -35,7 +47,7 @@ def test_light_is_that_measured(dni, dhi):
 )
 def test_impossible_light_is_refused(dni, dhi, told):
     with pytest.raises(ValueError, match=told):
-        sd.clouds_for(dni, dhi, SUN)
+        sd.clouds_for(dni, dhi, SUN, FIELD)
 
 
 def test_a_sun_on_the_horizon_is_refused():
@@ -51,7 +63,7 @@ def test_a_sun_on_the_horizon_is_refused():
     ],
 )
 def test_light_that_no_clouds_have_is_carried_by_the_nearest(high, dni, dhi, why):
-    found, told = nearest_clouds(dni, dhi, sd.direction(2.0, np.radians(high)), sd.CloudField(seed=7))
+    found, told = nearest_clouds(dni, dhi, sd.direction(2.0, np.radians(high)), FIELD)
     assert why in told
     light = sd.broadband(found.whole)
     assert light.direct_normal == pytest.approx(dni, rel=0.01, abs=1e-6)
@@ -60,7 +72,8 @@ def test_light_that_no_clouds_have_is_carried_by_the_nearest(high, dni, dhi, why
 
 def test_clouds_drift_between_rows_and_carry_the_light_of_each_moment():
     rows = (Row(0.0, tuple(SUN), 500.0, 160.0), Row(3600.0, tuple(SUN), 0.0, 200.0))
-    day = DriftingClouds(rows, sd.CloudField(seed=7, wind=(6.0, 2.0)))
+    known = {0: Anchor(3.0, 0.1, None, ""), 1: Anchor(9.0, 0.2, None, "")}
+    day = DriftingClouds(rows, FIELD, known)
     found = [day.at(seconds, SUN, dni, 180.0)[0] for seconds, dni in ((1800.0, 250.0), (1860.0, 240.0))]
     places = np.array([each.field.place for each in found])
     np.testing.assert_allclose(places[1] - places[0], [-360.0, -120.0])

@@ -85,7 +85,7 @@ def level_irradiance(sky: PhysicalSky, wavelengths: np.ndarray) -> Array:
     nodes, each = (constant(part, sky.toward) for part in (directions, solid_angles * directions[:, 2]))
     shape = np.shape(sky.valid)
     if shape[-1:] in ((), (1,)):
-        return each @ sky.radiance(nodes, wavelengths)
+        return each @ sky.on_its_nodes(nodes, wavelengths)
     views = nodes.reshape(-1, *(1 for _ in shape), 3)
     return namespace(each).tensordot(each, sky.radiance(views, wavelengths), axes=1)
 

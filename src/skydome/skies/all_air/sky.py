@@ -144,6 +144,10 @@ class PhysicalSky(StokesSky):
             require_taught(numbers)
         return LitAir.of(self.atmosphere, wavelengths, self.toward, numbers)
 
+    def on_its_nodes(self, nodes: Array, wavelengths: Any) -> Array:
+        """Radiance (N, W) toward the nodes (N, 3) of `nodes_of_energy`."""
+        return self.radiance(nodes, wavelengths)
+
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon.
 

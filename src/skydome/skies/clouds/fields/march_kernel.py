@@ -24,8 +24,8 @@ FOUR_PI = 4 * math.pi
 
 @part
 def fluences(light, x, y, z, lowest):
-    """The fluences of sun, sky and ground, linear between the middles of cells, and from the lowest of them to the base,
-    where the optical depth of half a cell is `lowest` when all turns are made even (Marshak's boundary).
+    """The fluences of sun, sky and ground, linear between the middles of cells and down to the base (Marshak's
+    boundary), half a cell that is `lowest` transport free paths thick.
     """
     rows, columns, levels, _ = light.shape
     left = 1.0 - 2.0 * min(max(-z, 0.0), 0.5) * 1.5 * lowest / (1.0 + 1.5 * lowest)
@@ -99,7 +99,7 @@ def sources(m, light, sun, numbers, view, here, sigma):
     close, beyond = depth_to_sun(m, light, sun, x, y, z, dx, dz, 2.0 * near)
     depth = close * kept + beyond
     turned = sigma * (1.0 - asymmetry)
-    off, lowest = min(0.5 * dx, 0.5 / turned), 0.5 * turned * dz  # half a cell, or half a free path in dense cloud
+    off, lowest = min(0.5 * dx, 0.5 / turned), 0.5 * turned * dz  # half a cell, half a free path in dense cloud
     u, v, w = x / dx - 0.5, y / dx - 0.5, z / dz - 0.5
     east, north, high = a * off / dx, b * off / dx, up * off / dz
     s1, k1, g1 = fluences(light, u + east, v + north, w + high, lowest)

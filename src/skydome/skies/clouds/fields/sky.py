@@ -117,6 +117,14 @@ class CloudySky(WrappedSky, SpectralSky):
         light = spectrum_of(self.clear, self.lit, w)
         return self.in_chunks(directions, light, lambda views: np.asarray(self.clear.radiance(views, w)), len(w))
 
+    def on_its_nodes(self, nodes: Array, wavelengths: Any) -> Array:
+        """The same toward the nodes (N, 3) of `nodes_of_energy`, the clear sky's second half as the first."""
+        if self.field.cover <= 0 or not self.is_day:
+            return self.radiance(nodes, wavelengths)
+        half = np.asarray(self.clear.radiance(nodes[: len(nodes) // 2], wavelengths))
+        lit = spectrum_of(self.clear, self.lit, wavelengths)
+        return lit.behind(np.concatenate([half, half]), np.asarray(nodes, np.float64))
+
     def in_chunks(self, directions: Array, incident: Incident, clear: Any, width: int) -> Array:
         """The light of views, some at a time; none where the clear sky has none."""
         views = np.asarray(checked_directions(np.asarray(directions, np.float64)))
