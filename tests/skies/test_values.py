@@ -62,3 +62,10 @@ def test_many_suns_are_not_taken_for_one():
     each = [float(sd.illuminance(sd.SunDisc(SUN, t), sd.ZENITH)) for t in (2.0, 3.0)]
     many = sd.SunDisc(np.broadcast_to(SUN, (2, 1, 3)), np.array([[2.0], [3.0]]))
     np.testing.assert_allclose(sd.illuminance(many, sd.ZENITH), each)
+
+
+def test_half_float_directions_round_nothing_of_the_sky():
+    """Directions of float16 brought the sky's own constants to 11 bits: light off by 4e-4."""
+    sky = sd.HosekWilkie(SUN, 3.0)
+    seen = sky.luminance(sd.ZENITH.astype(np.float16))
+    assert seen == pytest.approx(float(sky.luminance(sd.ZENITH)), rel=1e-12)

@@ -164,7 +164,7 @@ def floats(value: Any) -> np.ndarray:
     try:
         array = np.asarray(value)
         if array.dtype.kind == "f":
-            return array
+            return array if array.itemsize > 2 else array.astype(np.float64)  # half floats would round all constants
         if array.dtype.kind in "iubO" and value is not None:
             return array.astype(np.float64)
     except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
