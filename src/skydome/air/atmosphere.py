@@ -14,7 +14,7 @@ from skydome.air.gases.missing import MissingBands, tell_missing_bands
 from skydome.air.named_airs import BACKGROUND_DEPTH, CONTINENTAL, PREETHAM_HAZE, NamedAirs, usual
 from skydome.air.phase_laws import CornetteShanks, HenyeyGreenstein, PhaseLaw
 from skydome.air.profiles import Exponential, Profile
-from skydome.ground.arrays import Array
+from skydome.ground.arrays import Array, is_numpy
 from skydome.ground.limits.ranges import NOT_NEGATIVE, SHARE, HeldBySky, Range
 from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import columns
@@ -213,12 +213,19 @@ class Atmosphere(NamedAirs, HeldBySky):
     @property
     def is_one(self) -> bool:
         """Whether this is one air, of single numbers, not many airs of arrays."""
-        held = (self, *self.constituents, *(() if self.gases is None else (self.gases,)))
-        laws = (part.phase_law for part in self.constituents)
-        return not any(part.of_many for part in held) and all(np.ndim(law.mean_cosine([550.0])) == 1 for law in laws)
+        cosines = (part.phase_law.mean_cosine([550.0]) for part in self.constituents)
+        return not any(part.of_many for part in self.held) and all(np.ndim(cosine) == 1 for cosine in cosines)
+
+    @property
+    def held(self) -> tuple[HeldBySky, ...]:
+        """What holds the air's numbers: itself, its constituents, its gases."""
+        return (self, *self.constituents, *(() if self.gases is None else (self.gases,)))
 
     def require_one(self, who: str) -> None:
-        """ValueError where `who`, that knows one air at a time, is given arrays of numbers."""
+        """In one line, where `who`, that knows one air of NumPy's at a time, is given arrays, or another library's."""
+        cosines = [part.phase_law.mean_cosine([550.0]) for part in self.constituents]
+        if any(part.of_another_library for part in self.held) or not all(map(is_numpy, cosines)):
+            raise TypeError(f"{who} takes air of plain numbers, got torch's or JAX's; PhysicalSky takes those")
         if not self.is_one:
             raise ValueError(f"{who} takes one air at a time, got arrays of its numbers; PhysicalSky takes many airs")
 

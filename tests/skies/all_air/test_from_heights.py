@@ -152,3 +152,22 @@ def test_refusals():
         sd.SkyFromHeight(sd.ZENITH, sd.clear_air(), 0.0, field())
     with pytest.raises(ValueError, match="takes no layers"):
         sd.DiffuseField.of(sd.Atmosphere((sd.Cloud(10.0),)), W)
+
+
+def test_arrays_of_other_libraries_are_refused():
+    """Before, a sun of torch's came out as NumPy's light, without gradients, or with an error of torch's own."""
+    torch = pytest.importorskip("torch")
+    sun, thick = torch.tensor([0.0, 0.6, 0.8]), sd.clear_air(torch.tensor(0.1, requires_grad=True))
+    for kind in (sd.SkyFromHeight, sd.Nishita93, sd.DiscreteOrdinates):
+        with pytest.raises(TypeError, match=f"{kind.__name__} takes a sun of NumPy's, got torch's"):
+            kind(sun)
+        with pytest.raises(TypeError, match=f"{kind.__name__} takes air of plain numbers, got torch's"):
+            kind(sd.ZENITH, thick)
+    with pytest.raises(TypeError, match="DiffuseField takes air of plain numbers"):
+        sd.DiffuseField.of(sd.clear_air(asymmetry=torch.tensor(0.7)), W)
+
+
+def test_no_directions_have_no_light():
+    nothing = np.zeros((0, 3))
+    assert sd.SkyFromHeight.by(field(), sd.ZENITH, 10.0).radiance(nothing, W).shape == (0, 3)
+    assert sd.PathTraced(sd.ZENITH, AIR).radiance(nothing, W).shape == (0, 3)

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, cast
 import numpy as np
 
 from skydome.ground.arguments import Kind, require_kind
-from skydome.ground.arrays import Array, as_numpy, brief, floating, is_compiling, is_concrete
+from skydome.ground.arrays import Array, as_numpy, brief, floating, is_array, is_compiling, is_concrete, is_numpy
 
 
 class Range(NamedTuple):
@@ -162,3 +162,9 @@ class HeldBySky(Bounded):
     def of_many(self) -> bool:
         """Whether one of its bounded numbers is an array."""
         return any(np.ndim(getattr(self, name)) for name, *_ in bounded_fields(cast(Any, type(self))))
+
+    @property
+    def of_another_library(self) -> bool:
+        """Whether one of its bounded numbers is torch's or JAX's."""
+        values = (getattr(self, name) for name, *_ in bounded_fields(cast(Any, type(self))))
+        return any(is_array(value) and not is_numpy(value) for value in values)

@@ -177,4 +177,4 @@ class PathTraced(AtmosphereSky):
         light = np.zeros((len(flat), np.size(wavelengths)))
         if up.any():
             light[up] = self.job(flat[up], wavelengths).start().until(self.relative_error).radiance
-        return light.reshape(*views.shape[:-1], -1)
+        return light.reshape(*views.shape[:-1], light.shape[-1])

@@ -10,7 +10,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.gases.skylight import skylight_share
 from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import require_kind
-from skydome.ground.arrays import Array, at_least, constant, floating
+from skydome.ground.arrays import Array, at_least, constant, floating, is_numpy
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.sky import SunlitSky
@@ -25,7 +25,7 @@ class AtmosphereSky(SunlitSky, SpectralSky):
     takes_layers: ClassVar[bool] = False
     """Whether the air may have edges, as a layer of cloud has."""
     takes_many_airs: ClassVar[bool] = False
-    """Whether the air's numbers may be arrays (...,)."""
+    """Whether the air's numbers may be arrays (...,), and they and the sun torch's or JAX's."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -34,6 +34,10 @@ class AtmosphereSky(SunlitSky, SpectralSky):
             self.atmosphere.require_no_layers(type(self).__name__)
         if not self.takes_many_airs:
             self.atmosphere.require_one(type(self).__name__)
+            if not is_numpy(self.sun):
+                raise TypeError(
+                    f"{type(self).__name__} takes a sun of NumPy's, got torch's or JAX's; PhysicalSky takes those"
+                )
 
     def once_per_phase(self, views: np.ndarray, wavelengths: np.ndarray) -> Array | None:
         """What each constituent scatters once toward views (D, 3), per phase function, for a sun of irradiance 1,

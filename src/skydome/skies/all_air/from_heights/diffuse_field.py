@@ -1,6 +1,6 @@
 """The light inside an atmosphere: what comes to every height from all sides under every sun, as Legendre moments."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Self
 
@@ -41,13 +41,13 @@ class DiffuseField:
 
     atmosphere: Atmosphere
     wavelengths: np.ndarray
-    air: BluntedAir
-    columns: ColumnTable
-    moments: np.ndarray
+    air: BluntedAir = field(repr=False)
+    columns: ColumnTable = field(repr=False)
+    moments: np.ndarray = field(repr=False)
     """Of light that comes from all sides: for each wave m of the azimuth those of degrees m ... L - 1, all in a row,
     (heights, suns, L (L + 1) / 2, W).
     """
-    ground: np.ndarray
+    ground: np.ndarray = field(repr=False)
     """Irradiance of the ground, sun and sky together, (suns, W)."""
 
     @classmethod

@@ -136,7 +136,7 @@ class Prague(SunlitSky, SpectralSky):
             raise ValueError(f"distance must be 0 m or more, got {np.min(far):g}")
         altitude, visibility = (float(as_numpy(value)) for value in (self.altitude, self.visibility))
         found = transmittance_of(passage, views[..., 2].ravel(), far.ravel(), altitude, visibility)
-        return found.reshape(*views.shape[:-1], -1)[..., self.bands_of(wavelengths)]
+        return found.reshape(*views.shape[:-1], found.shape[-1])[..., self.bands_of(wavelengths)]
 
     def bands_of(self, wavelengths: Any) -> np.ndarray:
         """The bands in which wavelengths (W,) lie; ValueError outside the file's."""
@@ -166,7 +166,7 @@ class Prague(SunlitSky, SpectralSky):
             place = across(index, own, shape)
             some = np.broadcast_to(views, (*shape, 3))[place]
             one = Numbers(suns[index], *(float(number[index]) for number in numbers))
-            found[place] = self.of_one(some.reshape(-1, 3), one, curves, bands).reshape(*some.shape[:-1], -1)
+            found[place] = self.of_one(some.reshape(-1, 3), one, curves, bands).reshape(*some.shape[:-1], bands.size)
         return found
 
     def of_one(self, views: np.ndarray, one: "Numbers", curves: Curves, bands: np.ndarray) -> np.ndarray:

@@ -120,7 +120,7 @@ class TabledSky(AtmosphereSky):
             place = across(index, suns.shape[:-1], shape)
             there = np.broadcast_to(views, (*shape, 3))[place]
             found = self.under_one_sun(suns[index], there.reshape(-1, 3), wavelengths, between)
-            light[place] = found.reshape(*there.shape[:-1], -1)
+            light[place] = found.reshape(*there.shape[:-1], wavelengths.size)
         return np.maximum(light, 0.0)
 
     def under_one_sun(self, sun: np.ndarray, views: np.ndarray, wavelengths: np.ndarray, between: np.ndarray) -> Array:
