@@ -193,7 +193,7 @@ def test_wrong_requests(tmp_path):
             r"white luminance goes with \.exr and \.hdr alone, got 'sky.png'",
         ),
         ({"path": "sky.exr", "exposure": 2.0}, r"exposure goes with \.png alone, got 'sky.exr'"),
-        ({"path": "sky.exr", "white_luminance": 0.0}, "white luminance must lie in [1e-12, 1e+12] cd m-2, got 0"),
+        ({"path": "sky.exr", "white_luminance": 0.0}, r"white luminance must lie in \[1e-12, 1e\+12\] cd m-2, got 0"),
         (
             {"path": "sky.exr", "white_luminance": 1e45},
             r"white luminance must lie in \[1e-12, 1e\+12\] cd m-2, got 1e\+45",

@@ -11,7 +11,7 @@ SUN = np.array([0.0, 0.6, 0.8])
 
 
 def test_a_map_beyond_memory_is_refused_at_once():
-    with pytest.raises(ValueError, match=r"a map of 16384 x 32768 texels would take 12 GB of memory, 4 are allowed"):
+    with pytest.raises(ValueError, match=r"a map of 16384 x 32768 texels would take 6 GB of memory, 4 are allowed"):
         sd.render(sd.Preetham(SUN, 3.0), 16384)
     with granting(1 << 26), pytest.raises(ValueError, match="give --max-memory"):
         sd.render(sd.Preetham(SUN, 3.0), 2048)
