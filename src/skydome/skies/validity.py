@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from copy import deepcopy
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
 from os import PathLike
 from typing import Any, ClassVar, Literal, Self, cast
@@ -85,6 +85,10 @@ class Ranged(Bounded):
     def from_numbers(cls, **parameters: Any) -> Self:
         """Of its parameters, and of the numbers of its air."""
         return cls(**parameters)
+
+    def without_refusal(self, check: Check) -> Self:
+        """The same, with `check` in place of "raise"; itself where it refuses nothing."""
+        return self if self.check != "raise" else replace(self, check=check)
 
     def __eq__(self, other: object) -> bool:
         """True for one class and the same parameters, by value."""

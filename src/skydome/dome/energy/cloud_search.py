@@ -114,7 +114,7 @@ class Search:
         best, place = None, step.place
         for _ in range(ROUNDS):
             field = self.field_at(place) if self.share <= 1 else step.field
-            cloudy = CloudySky(self.clear.sky, field, check="clamp")
+            cloudy = CloudySky(self.clear.sky, field)
             now = Step(place, field, self.clear.fine.lit(cloudy.lit))
             if best is None or abs(self.off(now)) < abs(self.off(best[0])):
                 best = now, cloudy

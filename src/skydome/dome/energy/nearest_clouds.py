@@ -57,5 +57,5 @@ def on_place(dni: float, dhi: float, clear: Clear, field: CloudField, place: flo
     """The clouds at a place of the course, with as much before the sun as leaves what there is of it."""
     share = min(dni / max(clear.beam, 1e-6), 1.0)
     there = leaving(on_course(field, place), share, np.asarray(clear.sky.seen_sun))
-    cloudy = CloudySky(clear.sky, there, check="clamp")
+    cloudy = CloudySky(clear.sky, there)
     return carried(dni, dhi, clear, cloudy, Step(place, there, clear.fine.lit(cloudy.lit)))

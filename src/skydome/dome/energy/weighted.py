@@ -4,7 +4,6 @@ The sky is one that knows its air and its spectrum from 300 to 2500 nm: the phys
 disc. What the air leaves of the sunlight is taken as linear between some wavelengths, the sunlight as it is tabulated.
 """
 
-from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -42,7 +41,7 @@ def parts_of(
     for part in rest:
         inner, factor = cast(tuple[PhysicalSky, Any], part.single)
         if not beam_alone:
-            held = inner if check is None or inner.check != "raise" else replace(inner, check=check)
+            held = inner if check is None else inner.without_refusal(check)
             each = weights_of(inner.atmosphere, wavelengths, action) * factor
             light = diffuse_of(held, wavelengths)
             diffuse = diffuse + light @ constant(each, light)

@@ -56,7 +56,7 @@ def known(air: Atmosphere) -> GlowScattering:
     half = TURNS // 2 + 1
     suns = np.asarray(direction(turns()[None, :half], np.arcsin(rings)[:, None]))
     views = np.asarray(direction(0.0, np.arcsin(VIEWS)))
-    sky = replace(PhysicalSky(suns[:, :, None, :], air), check="clamp")  # taught at 380-780 nm, held at the ends
+    sky = PhysicalSky(suns[:, :, None, :], air).without_refusal("clamp")  # taught at 380-780 nm, held at the ends
     light = np.asarray(sky.radiance(views, WAVELENGTHS))
     light = light / np.asarray(air.sun_at(WAVELENGTHS)) * weights[:, None, None, None]
     whole = np.concatenate([light, light[:, half - 2 : 0 : -1]], axis=1)  # the other side is its mirror image

@@ -269,3 +269,17 @@ def test_air_before_the_cloud_is_the_same_compiled(sky):
     known = known + sum(part * seen[:, n : n + 1] for n, part in enumerate(lights, 1))
     known = known + sun * light.scattering.once(views @ light.lit.sun, seen[:, 5:])
     np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)
+
+
+def test_energy_of_clouds_in_turbid_air_is_told_and_lights_the_field_once():
+    clear = sd.PhysicalSky(
+        sd.direction(azimuth=3.5, elevation=0.7), sd.Atmosphere.from_turbidity(10.0)
+    )  # beyond what was taught below 380 nm
+    alone = sd.broadband(clear).diffuse_horizontal
+    assert sd.broadband(sd.CloudySky(clear, sd.CloudField(cover=0.0))).diffuse_horizontal == pytest.approx(
+        alone, rel=1e-3
+    )
+    sky = sd.CloudySky(clear, sd.CloudField(cover=0.4))
+    held = sky.without_refusal("clamp")
+    assert held.lit is sky.lit
+    assert (held.check, held.clear.check, sky.check) == ("clamp", "clamp", "raise")

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.sky import SunlitSky
 from skydome.skies.suns.sun_disc import SunDisc
+from skydome.skies.validity import Check
 from skydome.skies.wrapped.wrapped_sky import WrappedSky, WrappedSunlitSky
 
 CHUNK = 1 << 16
@@ -59,6 +60,13 @@ class CloudySky(WrappedSky, SpectralSky):
     def lit(self) -> LitField:
         """The field under its sun."""
         return LitField.of(self.field, self.clear.seen_sun)
+
+    def without_refusal(self, check: Check) -> Self:
+        """The same with another `check`, the clear sky's too; its field is lit as it is, once."""
+        held = replace(self, clear=self.clear.without_refusal(check), check=check)
+        if self.field.cover > 0:
+            vars(held)["lit"] = self.lit
+        return held
 
     @property
     def nodes_of_energy(self) -> tuple[int, int, np.ndarray]:
