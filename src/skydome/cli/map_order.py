@@ -80,8 +80,14 @@ class MapOrder:
         """The light."""
         return scene_of(self.options, self.north, any_hour=True)
 
-    def made(self, report: Callable[..., None] = lambda *_: None) -> dict[str, Any]:
-        """Make it: the facts of the light and of the file. `report` is called with the rows done and all rows."""
+    def made(
+        self,
+        report: Callable[..., None] = lambda *_: None,
+        told: "Callable[[Scene], dict[str, Any]]" = light_facts,
+    ) -> dict[str, Any]:
+        """Make it: the facts of the light, those `told`, and of the file. `report` is called with the rows done and
+        all rows.
+        """
         from skydome.maps.files import save
 
         scene = self.scene()
@@ -91,7 +97,7 @@ class MapOrder:
         else:
             shown = self.file.seen(picture.held() if prod(picture.size) <= HELD_TEXELS else picture)
             written = save(shown, self.output, **self.file.choices, report=report)
-        facts, file = light_facts(scene), file_facts(self.output, picture, self.layout, self.file, written)
+        facts, file = told(scene), file_facts(self.output, picture, self.layout, self.file, written)
         turned = {"north_deg": self.north} if self.north else {}
         return facts | file | turned | more | {"notes": facts["notes"] + file["notes"]}
 

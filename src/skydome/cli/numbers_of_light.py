@@ -13,34 +13,47 @@ if TYPE_CHECKING:
 def light_facts(scene: Scene) -> dict[str, Any]:
     """Everything worth printing of a sky, with its unit in the name; numbers, lists and strings only."""
     import skydome as sd
-    from skydome.dome.integrals import discs_and_rest, horizontal_xyz
 
-    zenith = scene.sky.xyz(sd.ZENITH)
-    diffuse, direct = horizontal_xyz(scene.whole)
-    normal = sum(float(disc.normal_xyz[1]) * float(factor) for disc, factor in discs_and_rest(scene.whole)[0])
+    zenith, diffuse, direct, normal = seen_light(scene)
     colours = {"zenith": zenith, "diffuse": diffuse, "global": diffuse + direct}
-    require_light(
-        scene, {"at the zenith": zenith[1], "on the horizontal": diffuse[1] + direct[1], "of the sun": normal}
-    )
     return {
         **moment_facts(scene),
         "model": scene.name,
         "parameters": scene.whole.parameters(),
         "valid": bool(scene.sky.valid),
         "outside_ranges": outside_ranges(scene.whole),
-        "zenith_luminance_cd_m2": float(zenith[1]),
         **night_facts(scene),
-        "illuminance_lx": {
-            "diffuse": float(diffuse[1]),
-            "direct": float(direct[1]),
-            "global": float(diffuse[1] + direct[1]),
-            "direct_normal": normal,
-        },
+        **level_facts(zenith, diffuse, direct, normal),
         **energy_facts(scene),
         "colour_temperature_K": {name: float(sd.colour_temperature(xyz)) for name, xyz in colours.items()},
         "duv": {name: float(sd.duv(xyz)) for name, xyz in colours.items()},
         "notes": list(scene.notes),
     }
+
+
+def frame_light_facts(scene: Scene) -> dict[str, Any]:
+    """What the record of a sequence keeps of the light of each of its frames."""
+    return {**moment_facts(scene), **level_facts(*seen_light(scene)), "notes": list(scene.notes)}
+
+
+def seen_light(scene: Scene) -> tuple[Any, Any, Any, float]:
+    """XYZ at the zenith and of sky and sun on the horizontal, (3,) each, and illuminance on what faces the sun, lx."""
+    import skydome as sd
+    from skydome.dome.integrals import discs_and_rest, horizontal_xyz
+
+    zenith = scene.sky.xyz(sd.ZENITH)
+    diffuse, direct = horizontal_xyz(scene.whole)
+    normal = sum(float(disc.normal_xyz[1]) * float(factor) for disc, factor in discs_and_rest(scene.whole)[0])
+    require_light(
+        scene, {"at the zenith": zenith[1], "on the horizontal": diffuse[1] + direct[1], "of the sun": normal}
+    )
+    return zenith, diffuse, direct, normal
+
+
+def level_facts(zenith: Any, diffuse: Any, direct: Any, normal: float) -> dict[str, Any]:
+    """Luminance and illuminance."""
+    light = {"diffuse": float(diffuse[1]), "direct": float(direct[1]), "global": float(diffuse[1] + direct[1])}
+    return {"zenith_luminance_cd_m2": float(zenith[1]), "illuminance_lx": light | {"direct_normal": normal}}
 
 
 def night_facts(scene: Scene) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from skydome.cli.map_order import MapOrder
 from skydome.cli.models import build
 from skydome.cli.moment import moment_of
 from skydome.cli.night.film import FRAMES
+from skydome.cli.numbers_of_light import light_facts
 from skydome.cli.options import SkyOptions, numbers
 from skydome.cli.scene import Scene
 
@@ -52,9 +53,13 @@ class LightOrder(MapOrder):
         notes = (told, f"cover {field.cover:.2f}, extinction {field.extinction:.3g} m-1")
         return Scene("physical", found.sky, found.whole, found.disc, moment, notes)
 
-    def made(self, report: Callable[..., None] = lambda *_: None) -> dict[str, Any]:
+    def made(
+        self,
+        report: Callable[..., None] = lambda *_: None,
+        told: Callable[[Scene], dict[str, Any]] = light_facts,
+    ) -> dict[str, Any]:
         """As every map, with its light and the last factors."""
-        facts = super().made(report)
+        facts = super().made(report, told)
         return facts | {"light": asdict(self.light) | {"told": facts["notes"][0]}}
 
 

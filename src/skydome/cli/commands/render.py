@@ -9,6 +9,7 @@ from skydome.cli.doors import progress
 from skydome.cli.frames import Frames, frame_facts, is_dark
 from skydome.cli.map_file import FileOptions
 from skydome.cli.map_order import MapOrder, order_rows
+from skydome.cli.numbers_of_light import frame_light_facts
 from skydome.cli.options import AsJson, SkyOptions, taking
 from skydome.cli.printing import show
 from skydome.cli.spectral_map import spectral_map, spectral_rows, steps
@@ -78,7 +79,7 @@ def sequence(frames: Frames) -> dict[str, Any]:
             if is_dark(order):
                 dark.append(name)
                 continue
-            kept[name] = frame_facts(order.made())
+            kept[name] = frame_facts(order.made(told=frame_light_facts))
             made.append(name)
             frames.keep(kept)
     return {

@@ -1,9 +1,15 @@
 # mypy: allow-untyped-defs
-"""Diffusion of light through a coarse grid of cloud, compiled: columns solved whole, red and black in turn."""
+"""Diffusion of light through a coarse grid of cloud, compiled: columns solved whole, red and black in turn.
 
-from skydome.ground.compiled import inlined, job
+What passes between cells is worked out once, and each column's equations are freed of the cell below once: a sweep then
+divides nothing.
+"""
 
-compiled, part = job(), inlined()
+import numpy as np
+
+from skydome.ground.compiled import IN_ORDER, inlined, job
+
+compiled, part = job(IN_ORDER), inlined(IN_ORDER)
 
 
 @part
@@ -13,66 +19,82 @@ def joined(d, other, weight):
 
 
 @part
-def beside(diffusivity, fluence, j, i, k, across):
-    """What passes from a cell to its four neighbours on a level for a fluence of 1, and what comes from them."""
-    rows, columns, _ = fluence.shape
-    j0, j1, i0, i1 = (j - 1) & (rows - 1), (j + 1) & (rows - 1), (i - 1) & (columns - 1), (i + 1) & (columns - 1)
-    d = diffusivity[j, i, k]
-    a, b = joined(d, diffusivity[j0, i, k], across), joined(d, diffusivity[j1, i, k], across)
-    c, e = joined(d, diffusivity[j, i0, k], across), joined(d, diffusivity[j, i1, k], across)
-    given = a * fluence[j0, i, k] + b * fluence[j1, i, k] + c * fluence[j, i0, k] + e * fluence[j, i1, k]
-    return a + b + c + e, given
+def at_the_edge(d, dz):
+    """The same of a cell's outer face by Marshak's boundary, for a fluence of 1."""
+    return 0.5 / (dz * (1.0 + dz / (4.0 * d)))
 
 
 @part
-def at_the_edge(d, dz, entering):
-    """The same of a cell's outer face by Marshak's boundary, where a flux comes in."""
-    edge = 1.0 / (dz * (1.0 + dz / (4.0 * d)))
-    return 0.5 * edge, 2.0 * entering * edge
+def sideways(diffusivity, across, east, north):
+    """What passes from each cell to the next in the east and in the north."""
+    rows, columns, levels = diffusivity.shape
+    for j in range(rows):
+        j1 = (j + 1) & (rows - 1)
+        for i in range(columns):
+            i1 = (i + 1) & (columns - 1)
+            for k in range(levels):
+                d = diffusivity[j, i, k]
+                east[j, i, k] = joined(d, diffusivity[j, i1, k], across)
+                north[j, i, k] = joined(d, diffusivity[j1, i, k], across)
 
 
 @part
-def balanced(diffusivity, absorbed, source, fluence, j, i, weights, dz, top, bottom, column):
-    """Write a column's equations into `column` (3, levels), each freed of the cell below."""
-    levels, below, (across, along) = source.shape[2], 0.0, weights
+def freed(diffusivity, absorbed, source, j, i, along, dz, top, bottom, tables):
+    """A column's equations, each freed of the cell below: what comes from above and what one gives, over what it loses,
+    and the share of the cell below in it.
+    """
+    east, north, above, over_lost, share, base = tables
+    rows, columns, levels = source.shape
+    j0, i0, below, before = (j - 1) & (rows - 1), (i - 1) & (columns - 1), 0.0, 1.0
     for k in range(levels):
         d = diffusivity[j, i, k]
-        here, given = beside(diffusivity, fluence, j, i, k, across)
-        above = joined(d, diffusivity[j, i, k + 1], along) if k < levels - 1 else 0.0
-        here, given = here + below + above + absorbed[j, i, k], given + source[j, i, k]
+        lost = east[j, i, k] + east[j, i0, k] + north[j, i, k] + north[j0, i, k] + absorbed[j, i, k] + below
+        given, up = source[j, i, k], 0.0
+        if k < levels - 1:
+            up = joined(d, diffusivity[j, i, k + 1], along)
+        else:
+            lost, given = lost + at_the_edge(d, dz), given + 4.0 * top * at_the_edge(d, dz)
         if k == 0:
-            lost, won = at_the_edge(d, dz, bottom)
-            here, given = here + lost, given + won
-        if k == levels - 1:
-            lost, won = at_the_edge(d, dz, top)
-            here, given = here + lost, given + won
-        if k > 0:
-            share = below / column[0, k - 1]
-            here, given = here - share * below, given + share * column[1, k - 1]
-        column[0, k], column[1, k], column[2, k] = here, given, above
-        below = above
-
-
-@part
-def answered(column, over, fluence, j, i):
-    """Move a column's fluence to what its equations tell, and beyond by `over`."""
-    found = 0.0
-    for k in range(column.shape[1] - 1, -1, -1):
-        found = (column[1, k] + column[2, k] * found) / column[0, k]
-        fluence[j, i, k] += over * (found - fluence[j, i, k])
+            lost, given = lost + at_the_edge(d, dz), given + 4.0 * bottom * at_the_edge(d, dz)
+        lost += up - below * below * before * (k > 0)
+        share[j, i, k], base[j, i, k] = below * before * (k > 0), given
+        before = 1.0 / lost
+        above[j, i, k], over_lost[j, i, k] = up * before, before
+        below = up
 
 
 @compiled
-def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, column, fluence):
+def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, fluence):
     """Fluence of absorbed fluence - div(D grad fluence) = source, into `fluence` (north, east, up), the first guess.
 
-    `top`, `bottom`: what light falls in there, as a flux. Marshak's boundary: (fluence / 2 - 2 in) flows out. `column`
-    (3, levels) is scratch; `over` speeds it up.
+    `top`, `bottom`: what light falls in there, as a flux. Marshak's boundary: (fluence / 2 - 2 in) flows out. `over`
+    speeds it up. All float32.
     """
-    rows, columns, _ = source.shape
-    weights = (1.0 / (dx * dx), 1.0 / (dz * dz))
+    rows, columns, levels = source.shape
+    tables, column = np.empty((6, rows, columns, levels), np.float32), np.empty(levels, np.float32)
+    each = (tables[0], tables[1], tables[2], tables[3], tables[4], tables[5])
+    east, north, above, over_lost, share, base = each
+    sideways(diffusivity, 1.0 / (dx * dx), east, north)
+    for j in range(rows):
+        for i in range(columns):
+            freed(diffusivity, absorbed, source, j, i, 1.0 / (dz * dz), dz, top, bottom, each)
+    beyond, zero = np.float32(over), np.float32(0.0)
     for sweep in range(2 * sweeps):
         for j in range(rows):
+            j0, j1 = (j - 1) & (rows - 1), (j + 1) & (rows - 1)
             for i in range((j + sweep) % 2, columns, 2):
-                balanced(diffusivity, absorbed, source, fluence, j, i, weights, dz, top, bottom, column)
-                answered(column, over, fluence, j, i)
+                i0, i1 = (i - 1) & (columns - 1), (i + 1) & (columns - 1)
+                for k in range(levels):
+                    column[k] = (
+                        base[j, i, k]
+                        + (east[j, i, k] * fluence[j, i1, k] + east[j, i0, k] * fluence[j, i0, k])
+                        + (north[j, i, k] * fluence[j1, i, k] + north[j0, i, k] * fluence[j0, i, k])
+                    )
+                found = zero
+                for k in range(levels):
+                    found = column[k] + share[j, i, k] * found
+                    column[k] = found * over_lost[j, i, k]
+                found = zero
+                for k in range(levels - 1, -1, -1):
+                    found = column[k] + above[j, i, k] * found
+                    fluence[j, i, k] += beyond * (found - fluence[j, i, k])

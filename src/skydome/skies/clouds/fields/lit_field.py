@@ -6,7 +6,7 @@ diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source,
 that absorbs dims it as a whole, by what one such diffusion loses.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil
 from typing import Any
@@ -156,25 +156,25 @@ class LitField:
         return np.asarray(np.maximum(spread(diffusivity, absorbed, source, *self.steps, top, bottom), 0))
 
     @cached_property
-    def losses(self) -> tuple[float, float, float]:
-        """Light of sun, sky and ground that cloud without absorption sends down, over that of cloud that absorbs `LOST`
-        of what meets it.
-        """
+    def losses(self) -> tuple[float, ...]:
+        """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
         nothing, open_sky = np.zeros_like(self.coarse), self.diffusivity(self.open_to_sky)
         sun = self.diffused(self.sun_source * np.float32(1 - LOST), self.diffusivity(self.open_to_sun), 0.0, 0.0, LOST)
         sky, ground = (self.diffused(nothing, open_sky, 1.0 - n, n, LOST) for n in (0.0, 1.0))
-        _, of_sun, of_sky, back = self.budget
-        return (
-            of_sun / max(self.leaving(sun, self.open_to_sun, 0.0), LEAST),
-            of_sky / max(self.leaving(sky, self.open_to_sky, 0.0), LEAST),
-            back / max(1 + self.leaving(ground, self.open_to_sky, 1.0), LEAST),
-        )
+        left = self.leaving(sun, self.open_to_sun, 0.0), self.leaving(sky, self.open_to_sky, 0.0)
+        downs = (*left, 1 + self.leaving(ground, self.open_to_sky, 1.0))
+        return tuple(whole / max(down, LEAST) for whole, down in zip(self.budget[1:], downs, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:
         """What cloud that absorbs shares `lost` (W,) leaves of the scattered light of sun, sky and ground, (3, W)."""
         if lost.max(initial=0.0) < TRIFLE:
             return np.ones((3, len(lost)))
-        return np.asarray(1 / (1 + lost / LOST * (np.array(self.losses)[:, None] - 1)))
+        return np.asarray(1 / (1 + lost / LOST * (np.array(self.wider.losses)[:, None] - 1)))
+
+    @cached_property
+    def wider(self) -> "LitField":
+        """By cells twice as wide: what absorption takes is near to that by its own."""
+        return replace(self, coarseness=2 * self.coarseness)
 
     @cached_property
     def budget(self) -> tuple[float, float, float, float]:
@@ -183,9 +183,8 @@ class LitField:
         """
         below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
         of_sun = self.leaving(self.of_sun, self.open_to_sun, 0.0)
-        of_sky, back = (
-            self.leaving(part, self.open_to_sky, j) for part, j in ((self.of_sky, 0.0), (self.of_ground, 1.0))
-        )
+        of_sky = self.leaving(self.of_sky, self.open_to_sky, 0.0)
+        back = self.leaving(self.of_ground, self.open_to_sky, 1.0)
         return float(np.exp(-below).mean()), of_sun, of_sky, 1 + back
 
     def leaving(self, fluence: np.ndarray, open_air: float, entering: float) -> float:
@@ -228,7 +227,7 @@ def spread(
         fluence = coarser.repeat(2, axis=0).repeat(2, axis=1)
     else:
         fluence = np.full(source.shape, 2.0 * (top + bottom), np.float32)
-    relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, SWEEPS, OVER, np.empty((3, source.shape[2])), fluence)
+    relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, SWEEPS, OVER, fluence)
     return fluence
 
 
