@@ -17,7 +17,7 @@ from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of, 
 from skydome.skies.night.scattering import GlowScattering, at_bands, toward
 from skydome.skies.night.skyglow import BORTLE
 from skydome.skies.night.through_air import Air
-from skydome.skies.night.under_cloud import under
+from skydome.skies.night.clouds.overcast import under
 from skydome.skies.night.zodiacal import filled
 from skydome.stars.catalogue import EPOCH, hipparcos
 from skydome.stars.directions import star_directions

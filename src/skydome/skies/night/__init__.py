@@ -12,7 +12,7 @@
 - airglow       Airglow: the upper air's own light, lines and a continuum
 - skyglow       Skyglow: the light of towns that the air sends back
 - eclipse       Eclipses of the sun: how much of it the moon covers, and what is left of its light
-- under_cloud   The light of any hour under an overcast
+- clouds/       What clouds over the place make of each light: an overcast, a field
 - turned        The parts as a scene sees them whose own north is another
 - hour          A place and an hour: which lights matter there then, and what was left out
 - sky_at        The whole sky of a place and a time, day or night, as a sum of skies

@@ -91,8 +91,11 @@ class GlowAbove(NightGlow):
     def glow(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
         """Radiance (..., W)."""
         straight = self.strength(views)[..., None] * self.air.transmittance(views[..., 2], wavelengths)
-        beside = toward(at_bands(self.scattered, wavelengths), views)
-        return np.asarray((straight + beside) * self.spectrum(wavelengths))
+        return np.asarray(straight * self.spectrum(wavelengths) + self.scattered_toward(views, wavelengths))
+
+    def scattered_toward(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """What the air scatters of it, radiance (..., W)."""
+        return np.asarray(toward(at_bands(self.scattered, wavelengths), views) * self.spectrum(wavelengths))
 
     def xyz(self, directions: Array) -> Array:
         """The same in CIE XYZ, Y in cd m-2, (..., 3): of each elevation the air's transmittance is worked out once."""

@@ -8,13 +8,14 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.air.clouds.cloud import Cloud
 from skydome.ground.arguments import require_kind, require_word
 from skydome.skies.colour_sky import SpectralCombination, SpectralSky
+from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.night.airglow import MEAN_OF_A_CYCLE
+from skydome.skies.night.clouds.over_place import clouds_over
 from skydome.skies.night.hour import GLOWS_SEEN, Hour
 from skydome.skies.night.skyglow import SkyGlow
 from skydome.skies.night.stars import instant
 from skydome.skies.night.through_air import air_of
 from skydome.skies.night.turned import about_the_vertical, turned
-from skydome.skies.night.under_cloud import cloud_of, under
 from skydome.sun.place import Place
 from skydome.sun.times import Times
 
@@ -70,7 +71,7 @@ def sky_at(
     *,
     solar_flux: float = MEAN_OF_A_CYCLE,
     glow: SkyGlow | None = None,
-    clouds: Cloud | float | None = None,
+    clouds: Cloud | CloudField | float | None = None,
     only: Iterable[str] | None = None,
 ) -> WholeSky:
     """The `WholeSky` of a place at one time: every light that matters then, in one `air` (`clear_air` by default).
@@ -78,7 +79,8 @@ def sky_at(
     Physical sky and the sun's disc, moonlit sky and the moon's disc, planets, stars (extra `night`), fainter
     starlight, zodiacal light, airglow by `solar_flux` (10.7 cm), and the `glow` of towns where one is given. The sun is
     dimmed by an eclipse. `only`: some parts, by name, or one. Stars need the extra `night`, else a note says so.
-    `clouds`: an overcast, a `Cloud` or its optical depth, 5-60, through which each part's light comes spread.
+    `clouds`: an overcast, a `Cloud` or its optical depth, 5-60, through which each part's light comes spread; or a
+    `CloudField`, upon which each part shines and behind which it stands (needs Numba).
 
     >>> import skydome as sd
     >>> noon = sky_at(sd.Place(50.0, 8.0), "2026-06-29T12:00Z")
@@ -90,7 +92,7 @@ def sky_at(
     air = air_of(air)
     require_kind(glow, SkyGlow | None, "glow", "sd.SkyGlow()")
     require_clear_of_towns(glow, clouds)
-    wanted, cloud = wanted_names(only), cloud_of(clouds)
+    wanted, over = wanted_names(only), clouds_over(clouds)
     hour = Hour.of(place, at, air)
     parts: dict[str, Any] = {**hour.of_sun(), **hour.of_moon(), **hour.points(), **hour.glows(solar_flux)}
     if glow is not None and hour.sun_elevation < GLOWS_SEEN:
@@ -98,13 +100,8 @@ def sky_at(
     kept = {name: sky for name, sky in parts.items() if name in wanted}
     if not kept:
         raise ValueError(f"none of {', '.join(wanted)} gives light at that hour; there are {', '.join(parts)}")
-    notes = hour.notes(parts)
-    if cloud is not None:
-        kept = {name: under(sky, cloud, air) for name, sky in kept.items()}
-        notes = (
-            *notes,
-            f"clouds: an overcast of optical depth {float(cloud.optical_depth):g}; no disc and no star is seen",
-        )
+    kept, said = over.before(kept, air), () if over.note is None else (over.note,)
+    notes = (*hour.notes(parts), *said)
     return WholeSky(tuple(kept.values()), (1.0,) * len(kept), tuple(kept), notes)
 
 

@@ -16,6 +16,7 @@ from skydome.ground.compiled import shared
 from skydome.ground.directions import direction
 from skydome.ground.quadrature import hemisphere
 from skydome.light.spectrum import xyz_weights
+from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.lit_field import LitField
@@ -74,13 +75,15 @@ class Incident:
         return np.linspace(self.lit.field.base, self.lit.field.top, LEVELS)
 
     def beam(self, height: float) -> np.ndarray:
-        """Irradiance of the sun on a plane that faces it at a height, W m-2 nm-1, (W,)."""
+        """Irradiance of the sun on a plane that faces it at a height, as it is seen from there, W m-2 nm-1, (W,)."""
         tables, w, air = ColumnTables.of(self.air), self.channels.wavelengths, self.air
-        at, sine = np.array(height), np.asarray(self.clear.seen_sun, np.float64)[2]
-        light = np.exp(-tables.toward(at, np.array(sine)) @ self.depths) * air.sun_at(w)
+        at, standing = np.array(height), np.arcsin(np.clip(np.asarray(self.clear.toward, np.float64)[2], -1.0, 1.0))
+        seen, share = tables.seen(at, standing)
+        sine = np.asarray(np.sin(seen))
+        light = np.exp(-tables.toward(at, sine) @ self.depths) * air.sun_at(w) * share
         if air.gases is None:
             return np.asarray(light)
-        gases = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(at, np.array(sine))
+        gases = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(at, sine)
         return np.asarray(light * air.gases.transmittance(gases[..., 0], gases[..., 1], w))
 
     @cached_property
@@ -96,8 +99,8 @@ class Incident:
     @cached_property
     def sun_below(self) -> np.ndarray:
         """The same at the ground, without cloud, (W,)."""
-        disc = self.clear.own_disc(MEAN_RADIUS / self.clear.sun_distance)
-        return np.zeros_like(self.sun) if disc is None else np.asarray(disc.irradiance(self.channels.wavelengths))
+        disc = BentSun.through(self.air, np.asarray(self.clear.toward), MEAN_RADIUS / self.clear.sun_distance)
+        return np.asarray(disc.irradiance(self.channels.wavelengths))
 
     @cached_property
     def sky(self) -> np.ndarray:

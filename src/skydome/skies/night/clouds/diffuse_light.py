@@ -1,0 +1,63 @@
+"""Light without a beam, such as airglow, on a field of cloud, and the air before it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from skydome.ground.directions import direction
+from skydome.skies.clouds.fields.incident import AROUND, LEAST, VIEWS, Channels, Incident
+from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.scattering import Scattering
+from skydome.skies.night.celestial import GlowAbove
+
+
+@dataclass(frozen=True, eq=False)
+class DiffuseLight(Incident):
+    """The light of a glow above the air on a lit field: it comes upon the cloud from all over the sky.
+
+    Its straight light comes from behind every cloud; only what the air scatters of it stands before them too.
+    """
+
+    clear: GlowAbove  # type: ignore[assignment]
+
+    @classmethod
+    def of_colours(cls, glow: GlowAbove, lit: LitField) -> "DiffuseLight":
+        """In CIE XYZ."""
+        return cls(glow, lit, Channels.of_colours())  # type: ignore[arg-type]
+
+    @classmethod
+    def of_spectrum(cls, glow: GlowAbove, lit: LitField, wavelengths: Any) -> "DiffuseLight":
+        """At wavelengths (W,), nm."""
+        return cls(glow, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))  # type: ignore[arg-type]
+
+    @cached_property
+    def sun(self) -> np.ndarray:
+        """No beam, (W,)."""
+        return np.zeros(len(self.channels.wavelengths))
+
+    @property
+    def sun_below(self) -> np.ndarray:  # type: ignore[override]
+        """None at the ground either, (W,)."""
+        return self.sun
+
+    @cached_property
+    def scattering(self) -> Scattering:
+        """How the cloud scatters, for no light at all."""
+        return self.lit.scattering(self.channels.wavelengths, self.channels.weights)
+
+    @cached_property
+    def from_air(self) -> np.ndarray:
+        """Share of the glow around each elevation that the air sends, (VIEWS, C)."""
+        views = direction(np.arange(AROUND) * (2 * np.pi / AROUND), np.arcsin(self.sines)[:, None])
+        beside = self.clear.scattered_toward(views, self.channels.wavelengths).mean(axis=1) @ self.channels.weights
+        whole = self.mean_sky[:, 0] @ self.channels.weights
+        return np.asarray(np.clip(beside / np.where(np.abs(whole) > LEAST, whole, 1.0), 0.0, 1.0)).reshape(VIEWS, -1)
+
+    @cached_property
+    def tables(self) -> np.ndarray:
+        """As of a clear sky, (VIEWS, LEVELS, 5, C), where the air before the cloud has its share of the air's light."""
+        found = super().tables.copy()
+        found[:, :, 0] *= self.from_air[:, None]
+        return found

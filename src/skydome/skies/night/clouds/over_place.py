@@ -1,0 +1,81 @@
+"""What stands over the place: nothing, an overcast, a field of cloud."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any
+
+from skydome.air.atmosphere import Atmosphere
+from skydome.air.clouds.cloud import Cloud
+from skydome.ground.directions import ZENITH
+from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.night.clouds.behind_field import behind, lit_by
+from skydome.skies.night.clouds.overcast import cloud_of, under
+from skydome.skies.night.clouds.remembered import RememberedField
+
+Parts = dict[str, Any]
+"""Skies by name."""
+
+
+class Over(ABC):
+    """What stands over the place."""
+
+    note: str | None = None
+
+    @abstractmethod
+    def before(self, parts: Parts, air: Atmosphere) -> Parts:
+        """The parts of an hour as they are seen from below it."""
+
+
+@dataclass(frozen=True)
+class ClearAbove(Over):
+    """Nothing."""
+
+    def before(self, parts: Parts, air: Atmosphere) -> Parts:
+        """The parts as they are."""
+        return parts
+
+
+@dataclass(frozen=True)
+class OvercastAbove(Over):
+    """An even layer."""
+
+    cloud: Cloud
+
+    @property
+    def note(self) -> str:  # type: ignore[override]
+        """How thick it is."""
+        return f"clouds: an overcast of optical depth {float(self.cloud.optical_depth):g}; no disc and no star is seen"
+
+    def before(self, parts: Parts, air: Atmosphere) -> Parts:
+        """Each part's light spread."""
+        return {name: under(sky, self.cloud, air) for name, sky in parts.items()}
+
+
+@dataclass(frozen=True)
+class FieldAbove(Over):
+    """A field of cloud."""
+
+    field: CloudField
+
+    @property
+    def note(self) -> str:  # type: ignore[override]
+        """What it is."""
+        f = self.field
+        return f"clouds: {f.kind.name}, cover {f.cover:.2f}, {f.base:.0f} to {f.top:.0f} m, seed {f.seed}"
+
+    def before(self, parts: Parts, air: Atmosphere) -> Parts:
+        """Each part behind the field; those without a beam share its rays with the moon's, or the sun's."""
+        if self.field.cover <= 0:
+            return parts
+        found = {name: lit_by(parts[name], self.field) for name in ("moonlight", "sky") if name in parts}
+        lit = {name: field for name, field in found.items() if field is not None}
+        shared = next(iter(lit.values())) if lit else RememberedField.of(self.field, ZENITH)
+        return {name: behind(sky, lit.get(name, shared)) for name, sky in parts.items()}
+
+
+def clouds_over(given: Any) -> Over:
+    """What `clouds` says: None, a field, a layer or its optical depth; an error in a sentence for anything else."""
+    if isinstance(given, CloudField):
+        return FieldAbove(given)
+    cloud = cloud_of(given)
+    return ClearAbove() if cloud is None else OvercastAbove(cloud)
