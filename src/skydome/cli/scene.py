@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from skydome.cli.clouds.scene import Clouded, with_clouds, without_clouds
+from skydome.cli.clouds.scene import Clouded, night_field, with_clouds, without_clouds
 from skydome.cli.models import build, hazed, turbidity_of
 from skydome.cli.moment import Moment, moment_of, require_day, require_light
 from skydome.cli.night.eclipse import under_eclipse
@@ -46,8 +46,8 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     model = model_named(options.model)
     asked, options = options, without_clouds(options)
     options, haze = hazed(model, options)
-    if any_hour and asked.clouds is None and shows_the_night(model, options):
-        light = whole_light(model, options, north)
+    if any_hour and shows_the_night(model, options):
+        light = whole_light(model, options, north, night_field(asked))
         return Scene(model.name, light.sky, light.whole, None, light.moment, light.notes)
     if asked.clouds is not None and shows_the_night(model, options):
         require_twilight(moment_of(options))

@@ -29,3 +29,7 @@ class CloudOptions:
     cloud_seed: Annotated[
         int | None, Option("--seed", help="Other clouds of the same kind. [default: 0]", rich_help_panel=PANEL)
     ] = None
+    wind: Annotated[
+        str | None,
+        Option(metavar="EAST,NORTH", help="How they drift with --time, m/s. [default: 0,0]", rich_help_panel=PANEL),
+    ] = None

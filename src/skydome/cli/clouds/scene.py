@@ -5,19 +5,22 @@ from typing import TYPE_CHECKING, Any
 
 from skydome.cli.clouds.kinds import kind_named
 from skydome.cli.doors import progress
-from skydome.cli.options import SkyOptions
+from skydome.cli.moment import aware_time
+from skydome.cli.options import SkyOptions, numbers
 from skydome.ground.extras import required
 
 if TYPE_CHECKING:
     from skydome.skies.clouds.fields.field import CloudField
 
 USUAL_COVER = 0.4
+REPEATS = 3000
+"""Periods of the field after which one that drifts by the clock is where it was, its fine detail too."""
 
 
 def without_clouds(options: SkyOptions) -> SkyOptions:
     """The options of the clear sky alone; ValueError for options of clouds without --clouds."""
     if options.clouds is None:
-        for name, value in (("--cover", options.cover), ("--seed", options.cloud_seed)):
+        for name, value in (("--cover", options.cover), ("--seed", options.cloud_seed), ("--wind", options.wind)):
             if value is not None:
                 raise ValueError(f"{name} is of clouds: give --clouds too, such as --clouds cumulus")
         return options
@@ -33,6 +36,7 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
         clouds=None,
         cover=None,
         cloud_seed=None,
+        wind=None,
         direct_normal_irradiance=None,
         diffuse_horizontal_irradiance=None,
     )
@@ -49,16 +53,44 @@ class Clouded:
     notes: list[str]
 
 
-def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
-    """A `clear` physical sky with clouds."""
+def field_of(options: SkyOptions) -> "CloudField":
+    """The field of the options, where the wind has brought it at their time."""
     import skydome as sd
 
     required("numba", "fast", "--clouds")
     seed = 0 if options.cloud_seed is None else options.cloud_seed
-    field = sd.CloudField(kind_named(str(options.clouds)), seed=seed)
+    cover = USUAL_COVER if options.cover is None else options.cover
+    field = sd.CloudField(kind_named(str(options.clouds)), cover=cover, seed=seed)
+    return field if options.wind is None else drifted(field, options)
+
+
+def drifted(field: "CloudField", options: SkyOptions) -> "CloudField":
+    """The field by the clock: the same time has the same clouds, in a picture and in a film; ValueError without one."""
+    east, north = numbers(str(options.wind), 2, "--wind", "6,2")
+    if options.time is None:
+        raise ValueError("--wind moves clouds by the clock: give --place and --time, no --sun")
+    seconds = aware_time(options.time, options.zone).timestamp()
+    around = REPEATS * field.kind.period
+    return replace(field, wind=(east, north), place=((-east * seconds) % around, (-north * seconds) % around))
+
+
+def night_field(options: SkyOptions) -> "CloudField | None":
+    """The field over a night, None without --clouds; ValueError for light that was measured by day."""
+    if options.clouds is None:
+        return None
+    if options.direct_normal_irradiance is not None:
+        raise ValueError("--dni needs the sun above the horizon, got a night, twilight or total eclipse")
+    return field_of(options)
+
+
+def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
+    """A `clear` physical sky with clouds."""
+    import skydome as sd
+
+    field = field_of(options)
     dni, dhi = options.direct_normal_irradiance, options.diffuse_horizontal_irradiance
     if dni is None or dhi is None:
-        sky = sd.CloudySky(clear, replace(field, cover=USUAL_COVER if options.cover is None else options.cover))
+        sky = sd.CloudySky(clear, field)
         return Clouded(sky, sd.SunDisc.of(sky), sky.field, sd.SunDisc.of(clear), [told(sky.field)])
     with progress("looking for clouds with that light"):
         found = sd.clouds_for(dni, dhi, clear.toward, field, clear.atmosphere)

@@ -11,6 +11,7 @@ from skydome.cli.options import SkyOptions
 if TYPE_CHECKING:
     from skydome.air.atmosphere import Atmosphere
     from skydome.air.clouds.cloud import Cloud
+    from skydome.skies.clouds.fields.field import CloudField
     from skydome.skies.model import Model
     from skydome.skies.night.sky_at import WholeSky
 
@@ -40,13 +41,13 @@ def require_twilight(moment: Moment) -> None:
     """ValueError for a field of cloud in a night, which the sun lights no more."""
     if moment.elevation < -18:
         raise ValueError(
-            f"--clouds need the sun, which lights them, above -18 degrees, got {moment.elevation:.2f}; "
-            "for a night under cloud: --model overcast --cloud-depth 20"
+            f"--clouds need the sun, which lights them here, above -18 degrees, got {moment.elevation:.2f}; "
+            "`skydome render`, `plot`, `light` and `illuminance` have them at every hour"
         )
 
 
-def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight:
-    """Every light of that hour; ValueError for options that the night has no use for."""
+def whole_light(model: "Model", options: SkyOptions, north: float, field: "CloudField | None") -> WholeLight:
+    """Every light of that hour, with a `field` of cloud where one is given, which does not turn; ValueError for options that the night has no use for."""
     import skydome as sd
 
     for name, option in BY_DAY_ALONE.items():
@@ -55,8 +56,8 @@ def whole_light(model: "Model", options: SkyOptions, north: float) -> WholeLight
     moment = moment_of(options)
     sky, notes = build(model, moment, options)
     air, cloud = air_and_cloud(sky)
-    whole = sd.sky_at(place_of(moment), moment.time, air, clouds=cloud)  # type: ignore[arg-type]
-    whole = whole.turned(north * sd.deg) if north else whole
+    whole = sd.sky_at(place_of(moment), moment.time, air)  # type: ignore[arg-type]
+    whole = (whole.turned(north * sd.deg) if north else whole).below(field or cloud, air)
     said = [note for note in notes if not note.startswith("sun:")]
     discs = [name for name in ("sun", "moon") if name in whole.names and cloud is None]
     shown = whole.without(*discs) if len(whole.names) > len(discs) else whole

@@ -58,8 +58,18 @@ class WholeSky(SpectralCombination):
         skies = tuple(sky for _, sky in kept)
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
 
+    def below(self, clouds: Any, air: Atmosphere | None = None) -> "WholeSky":
+        """The same with clouds over the place, as `sky_at` takes them, in the `air` of the parts."""
+        over = clouds_over(clouds)
+        parts = over.before(dict(zip(self.names, self.members, strict=True)), air_of(air))
+        said = () if over.note is None else (over.note,)
+        return replace(self, members=tuple(parts.values()), notes=(*self.notes, *said))
+
     def turned(self, north: float) -> "WholeSky":
-        """The same for a scene whose own north points `north` radians clockwise of true north."""
+        """The same for a scene whose own north points `north` radians clockwise of true north.
+
+        TypeError below a field of cloud, which does not turn: turn the clear sky, then `below` puts the field over it.
+        """
         rotation = about_the_vertical(north)
         return replace(self, members=tuple(turned(sky, rotation) for sky in self.members))
 
@@ -92,7 +102,8 @@ def sky_at(
     air = air_of(air)
     require_kind(glow, SkyGlow | None, "glow", "sd.SkyGlow()")
     require_clear_of_towns(glow, clouds)
-    wanted, over = wanted_names(only), clouds_over(clouds)
+    wanted = wanted_names(only)
+    clouds_over(clouds)  # refuses what is none
     hour = Hour.of(place, at, air)
     parts: dict[str, Any] = {**hour.of_sun(), **hour.of_moon(), **hour.points(), **hour.glows(solar_flux)}
     if glow is not None and hour.sun_elevation < GLOWS_SEEN:
@@ -100,9 +111,8 @@ def sky_at(
     kept = {name: sky for name, sky in parts.items() if name in wanted}
     if not kept:
         raise ValueError(f"none of {', '.join(wanted)} gives light at that hour; there are {', '.join(parts)}")
-    kept, said = over.before(kept, air), () if over.note is None else (over.note,)
-    notes = (*hour.notes(parts), *said)
-    return WholeSky(tuple(kept.values()), (1.0,) * len(kept), tuple(kept), notes)
+    whole = WholeSky(tuple(kept.values()), (1.0,) * len(kept), tuple(kept), hour.notes(parts))
+    return whole.below(clouds, air)
 
 
 def wanted_names(only: Iterable[str] | None) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ def about_the_vertical(angle: float) -> np.ndarray:
 @singledispatch
 def turned(sky: Any, rotation: np.ndarray) -> Any:
     """A sky of the same kind whose directions are turned by a `rotation` (3, 3) about the vertical."""
-    raise TypeError(f"{type(sky).__name__} cannot be turned")
+    raise TypeError(f"{type(sky).__name__} cannot be turned: turn the clear sky, then put clouds over it")
 
 
 @turned.register
