@@ -91,8 +91,47 @@ def test_a_night_under_an_overcast(facts, refused):
     shown = facts("light", "--place", "45,8", "--time", "2026-01-18T22:00Z")
     assert 21.2 < shown["zenith_v_mag_arcsec2"] < 21.6
     assert "zenith_v_mag_arcsec2" not in facts("light", "--sun", "180,30")
-    assert "for a night under cloud: --model overcast" in refused(*night, "--clouds", "cumulus")
     assert "must lie in [5, 60], got 2" in refused(*night, "--model", "overcast", "--cloud-depth", "2")
+
+
+def test_a_night_with_clouds_that_the_wind_moves(call, facts, refused, tmp_path):
+    night = ("light", "--place", "45,8", "--time", "2026-01-18T22:00Z", "--clouds", "cumulus")
+    shown = facts(*night, "--cover", "0.9")
+    assert any(note.startswith("clouds: cumulus, cover 0.90") for note in shown["notes"])
+    assert shown["illuminance_lx"]["global"] < 8e-4  # clear, it has .0012
+    moved = facts(*night, "--cover", "0.9", "--wind", "7,2")
+    assert moved["illuminance_lx"]["global"] != shown["illuminance_lx"]["global"]
+    assert moved["illuminance_lx"]["global"] == pytest.approx(shown["illuminance_lx"]["global"], rel=0.2)
+    assert "--dni needs the sun above the horizon" in refused(*night, "--dni", "400", "--dhi", "100")
+    assert "--wind is of clouds" in refused(*night[:5], "--wind", "7,2")
+    assert "clouds by the clock" in refused("light", "--sun", "180,30", "--clouds", "cumulus", "--wind", "7,2")
+    film = (
+        "animate",
+        "--place",
+        "45,8",
+        "--date",
+        "2026-01-18",
+        "--step",
+        "12h",
+        "--height",
+        "8",
+        "-o",
+        tmp_path / "f",
+    )
+    made = json.loads(call(*film, "--clouds", "cumulus", "--cover", "0.9", "--json").stdout)
+    assert made["made"] == ["sky.0001.exr", "sky.0002.exr"]  # midnight and noon
+    dull = json.loads(call(*film, "--model", "overcast", "--cloud-depth", "30", "--json").stdout)
+    assert len(dull["made"]) == 2  # of another order
+    for wrong, told in (
+        (("--clouds", "fog"), "must be one of cumulus"),
+        (("--model", "preetham"), "--model physical or overcast, got preetham"),
+        (("--cover", "0.4"), "--cover is of clouds"),
+        (("--wind", "6,2"), "--wind moves clouds"),
+        (("--cloud-depth", "20"), "physical takes no --cloud-depth"),
+        (("--clouds", "cumulus", "--model", "overcast"), "--clouds stand in the physical sky"),
+    ):
+        assert told in refused(*film[:-1], tmp_path / "none", *wrong)
+    assert not (tmp_path / "none").exists()
 
 
 def test_the_lamp_of_a_night_is_the_moon(call, tmp_path):

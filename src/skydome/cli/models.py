@@ -17,8 +17,8 @@ LEVELS = ("zenith_luminance", "illuminance")
 LETTERS = tuple("abcde")
 OPTIONAL = (
     "turbidity", "altitude", "diffuse_horizontal_irradiance", "dew_point", "compat", "smooth", "letters", "numbers",
-    "tables", "until", "paths", "visibility", "aerosol", "ozone", "clouds", "cover", "cloud_seed", "wind", "optical_depth",
-    "base", "kind",
+    "tables", "until", "paths", "visibility", "aerosol", "ozone", "clouds", "cover", "cloud_seed", "wind",
+    "optical_depth", "base", "kind",
 )  # fmt: skip
 
 

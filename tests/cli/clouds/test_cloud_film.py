@@ -70,7 +70,7 @@ def test_steps_between_rows_keep_the_energy_of_each(tape, tmp_path):
         (("--date", "2026-06-21", "--clouds", "fog"), "cumulus, stratocumulus, altocumulus, cirrus, got 'fog'"),
         (("--date", "2026-12-21", "--clouds", "cirrus"), "no row with light on 21 December"),
         (("--date", "noon", "--clouds", "cirrus"), "--date must be a day such as 2026-06-21, got 'noon'"),
-        (("--clouds", "cirrus"), "--weather site.epw and --date"),
+        (("--clouds", "cirrus"), "clouds of a --date"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--step", "soon"), "--step must be a length of time"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "west"), "--wind"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "900,0"), "wind must lie in [-200, 200] m s-1"),

@@ -11,13 +11,13 @@ from skydome.ground.units import deg
 from skydome.light.spectrum import xyz_weights
 from skydome.skies.night.airglow import van_rhijn
 from skydome.skies.night.celestial import UNIT
+from skydome.skies.night.clouds.overcast import under
 from skydome.skies.night.eclipse import Eclipse
 from skydome.skies.night.held_dome import NODES
 from skydome.skies.night.magnitudes import BANDS, illuminance_of, starlight_of, temperature_of
 from skydome.skies.night.scattering import GlowScattering, at_bands, toward
 from skydome.skies.night.skyglow import BORTLE
 from skydome.skies.night.through_air import Air
-from skydome.skies.night.clouds.overcast import under
 from skydome.skies.night.zodiacal import filled
 from skydome.stars.catalogue import EPOCH, hipparcos
 from skydome.stars.directions import star_directions

@@ -1,15 +1,16 @@
 """`skydome animate`: smooth frames between captured skies."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 from typer import Argument, Option
 
-from skydome.cli.clouds.film import light_film
+from skydome.cli.clouds.film import USUAL_WIND, light_film
 from skydome.cli.doors import progress
 from skydome.cli.map_file import Exposure, Half
 from skydome.cli.night.film import film_of, movie_of, show_film
-from skydome.cli.options import AsJson
+from skydome.cli.options import AsJson, SkyOptions
 from skydome.cli.printing import show_facts
 
 MOST_FRAMES = 100_000
@@ -52,10 +53,20 @@ def animate(
     ] = None,
     clouds: Annotated[
         str | None,
-        Option(metavar="KIND", help="Of --weather: cumulus, stratocumulus, altocumulus or cirrus carry its light."),
+        Option(
+            metavar="KIND",
+            help="cumulus, stratocumulus, altocumulus or cirrus over --place, or with the light of --weather.",
+        ),
+    ] = None,
+    cover: Annotated[
+        float | None, Option(help="Of --clouds over --place: share of the sky with cloud, 0-1. [default: 0.4]")
     ] = None,
     wind: Annotated[
         str | None, Option(metavar="EAST,NORTH", help="Of --clouds: how they drift, m/s. [default: 6,2]")
+    ] = None,
+    model: Annotated[str, Option(metavar="physical|overcast", help="The sky of --place and --date.")] = "physical",
+    cloud_depth: Annotated[
+        float | None, Option("--cloud-depth", help="Of --model overcast: its optical depth, 5-60. [default: 20]")
     ] = None,
     height: Annotated[int, Option(help="Rows of the frames of --date.")] = 512,
     exposure: Exposure = None,
@@ -70,21 +81,31 @@ def animate(
 ) -> None:
     """Write the frames of a day: between captures, by a neural sky trained on them, or of --date; can go on."""
     movie = movie_of(film, date, exposure, night_vision)
-    if weather is not None or clouds is not None:
-        if weather is None or date is None or (folder or place or zone) is not None:
+    level = exposure if movie is None else None
+    if weather is not None:
+        if (
+            date is None
+            or (folder or place or zone) is not None
+            or (cover, cloud_depth, model) != (None, None, "physical")
+        ):
             raise ValueError(
-                "--clouds are of --weather site.epw and --date, its rows or every --step the frames: no captures, "
-                "--place, --zone"
+                "--weather makes a film of clouds of a --date, its rows or every --step the frames: no captures, "
+                "--place, --zone, --cover, --model"
             )
-        level = exposure if movie is None else None
         show_film(light_film(weather, date, clouds, seed, output, height, level, step, wind), movie, as_json)
         return
-    if wind is not None:
-        raise ValueError("--wind moves clouds: give --weather, --date and --clouds too")
+    if wind is not None and clouds is None:
+        raise ValueError("--wind moves clouds: give --clouds too, such as --clouds cumulus")
     if date is not None:
-        level = exposure if movie is None else None
-        show_film(film_of(folder, place, date, zone, step or "10min", output, height, level), movie, as_json)
+        sky = SkyOptions(model=model, clouds=clouds, cover=cover, optical_depth=cloud_depth)
+        if clouds is not None:
+            sky = replace(sky, cloud_seed=seed, wind=wind or USUAL_WIND)
+        show_film(film_of(folder, place, date, zone, step or "10min", output, height, level, sky), movie, as_json)
         return
+    if clouds is not None or cover is not None or cloud_depth is not None or model != "physical":
+        raise ValueError(
+            "--clouds and --model are of a film of a day: give --place and --date, or --weather and --date"
+        )
     if folder is None:
         raise ValueError("animate needs a folder of captures, or --place and --date")
     from math import radians

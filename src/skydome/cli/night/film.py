@@ -1,5 +1,6 @@
 """A film of one day at a place: a map every so many minutes from midnight to midnight, taken up where it stopped."""
 
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 
@@ -14,10 +15,21 @@ FRAMES = {"exr": "sky.####.exr", "png": "sky.####.png"}
 """The names of frames by their format."""
 
 
+PLAIN = SkyOptions()
+"""The physical sky without a cloud."""
+
+
 def film_frames(
-    place: str, date: str, zone: str | None, step: str, folder: Path, height: int, exposure: float | None
+    place: str,
+    date: str,
+    zone: str | None,
+    step: str,
+    folder: Path,
+    height: int,
+    exposure: float | None,
+    sky: SkyOptions = PLAIN,
 ) -> Frames:
-    """The frames of a day's film in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
+    """The frames of a day's film of a `sky` in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
     from skydome.cli.moment import aware_time
 
     day = day_named(date)
@@ -25,7 +37,7 @@ def film_frames(
     last = aware_time(f"{day + timedelta(days=1)}T00:00", zone or "UTC") - timedelta(microseconds=1)
     if duration(step) > timedelta(days=1):
         raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
-    options = SkyOptions(place=place, time=first.isoformat(), until=last.isoformat(), zone=zone or "UTC")
+    options = replace(sky, place=place, time=first.isoformat(), until=last.isoformat(), zone=zone or "UTC")
     kind = "exr" if exposure is None else "png"
     file = FileOptions(exposure=exposure)
     order = MapOrder(options, file, folder / FRAMES[kind], height)
@@ -41,12 +53,27 @@ def film_of(
     folder: Path,
     height: int,
     exposure: float | None,
+    sky: SkyOptions = PLAIN,
 ) -> Frames:
     """The frames of the options; ValueError in one line for what does not fit together."""
     if captures is not None or place is None:
         raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
+    require_all_hours(sky)
     with folder_for_work(folder):
-        return film_frames(place, date, zone, step, folder, height, exposure)
+        return film_frames(place, date, zone, step, folder, height, exposure, sky)
+
+
+def require_all_hours(sky: SkyOptions) -> None:
+    """ValueError, before any work, for a sky that has no day and night, or for clouds that cannot be."""
+    from skydome.cli.clouds.scene import night_field, without_clouds
+    from skydome.cli.models import refuse_what_it_does_not_take
+    from skydome.skies.catalogue import model_named
+
+    model = model_named(sky.model)
+    if not model.kind.of_all_hours:
+        raise ValueError(f"--date makes a film of a day and its night: --model physical or overcast, got {sky.model}")
+    refuse_what_it_does_not_take(model, without_clouds(sky))
+    night_field(replace(sky, time="2000-01-01T00:00Z"))
 
 
 def movie_of(film: Path | None, date: str | None, exposure: float | None, night_vision: bool) -> Movie | None:

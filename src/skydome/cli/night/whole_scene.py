@@ -47,7 +47,10 @@ def require_twilight(moment: Moment) -> None:
 
 
 def whole_light(model: "Model", options: SkyOptions, north: float, field: "CloudField | None") -> WholeLight:
-    """Every light of that hour, with a `field` of cloud where one is given, which does not turn; ValueError for options that the night has no use for."""
+    """Every light of that hour, below a `field` of cloud if there is one, which does not turn with the north.
+
+    ValueError for options that the night has no use for.
+    """
     import skydome as sd
 
     for name, option in BY_DAY_ALONE.items():

@@ -7,8 +7,8 @@ from typing import Any
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.clouds.cloud import Cloud
 from skydome.ground.arguments import require_kind, require_word
-from skydome.skies.colour_sky import SpectralCombination, SpectralSky
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.colour_sky import SpectralCombination, SpectralSky
 from skydome.skies.night.airglow import MEAN_OF_A_CYCLE
 from skydome.skies.night.clouds.over_place import clouds_over
 from skydome.skies.night.hour import GLOWS_SEEN, Hour

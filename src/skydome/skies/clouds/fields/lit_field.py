@@ -9,7 +9,7 @@ that absorbs dims it as a whole, by what one such diffusion loses.
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -44,7 +44,7 @@ class LitField:
     """Places of the shape along a side of a cell of the coarse grid."""
 
     @classmethod
-    def of(cls, field: CloudField, sun: Any, coarseness: int = 2) -> "LitField":
+    def of(cls, field: CloudField, sun: Any, coarseness: int = 2) -> Self:
         """ImportError without Numba; a lower sun than `LOWEST` lets down shadows as one there."""
         required("numba", "fast", "a field of cloud")
         sun = np.asarray(sun, np.float64)

@@ -32,7 +32,7 @@ class CloudsAtAnyHour(CloudySky):
     under: LitField | None = field(default=None, kw_only=True)
 
     @property
-    def lit(self) -> LitField:  # type: ignore[override]
+    def lit(self) -> LitField:
         """The field as the lights share it."""
         assert self.under is not None
         return self.under
@@ -118,7 +118,7 @@ def _(sky: GlowAbove, lit: LitField) -> GlowBehindClouds:
 
 @behind.register
 def _(sky: PointLights, lit: LitField) -> PointLights:
-    through = lit.seen(np.asarray(sky.directions, np.float64))[:, :1]
+    through = lit.seen(np.asarray(sky.directions, np.float64))[:, :1] ** (1 / lit.kept)  # a point loses its glow too
     return replace(sky, light=Spectrum(sky.light.wavelengths, np.asarray(sky.light.values) * through))
 
 

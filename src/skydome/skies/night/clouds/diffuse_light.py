@@ -25,12 +25,12 @@ class DiffuseLight(Incident):
     @classmethod
     def of_colours(cls, glow: GlowAbove, lit: LitField) -> "DiffuseLight":
         """In CIE XYZ."""
-        return cls(glow, lit, Channels.of_colours())  # type: ignore[arg-type]
+        return cls(glow, lit, Channels.of_colours())
 
     @classmethod
     def of_spectrum(cls, glow: GlowAbove, lit: LitField, wavelengths: Any) -> "DiffuseLight":
         """At wavelengths (W,), nm."""
-        return cls(glow, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))  # type: ignore[arg-type]
+        return cls(glow, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))
 
     @cached_property
     def sun(self) -> np.ndarray:
@@ -38,7 +38,7 @@ class DiffuseLight(Incident):
         return np.zeros(len(self.channels.wavelengths))
 
     @property
-    def sun_below(self) -> np.ndarray:  # type: ignore[override]
+    def sun_below(self) -> np.ndarray:
         """None at the ground either, (W,)."""
         return self.sun
 

@@ -14,6 +14,8 @@ from skydome.skies.night.clouds.remembered import RememberedField
 
 Parts = dict[str, Any]
 """Skies by name."""
+BEAMS = ("moonlight", "sky")
+"""Those of a light that casts shadows, the one first whose rays the others share."""
 
 
 class Over(ABC):
@@ -67,8 +69,10 @@ class FieldAbove(Over):
         """Each part behind the field; those without a beam share its rays with the moon's, or the sun's."""
         if self.field.cover <= 0:
             return parts
-        found = {name: lit_by(parts[name], self.field) for name in ("moonlight", "sky") if name in parts}
-        lit = {name: field for name, field in found.items() if field is not None}
+        lit: dict[str, RememberedField] = {}
+        for name in BEAMS:
+            if name in parts and (field := lit_by(parts[name], self.field)) is not None:
+                lit[name] = field
         shared = next(iter(lit.values())) if lit else RememberedField.of(self.field, ZENITH)
         return {name: behind(sky, lit.get(name, shared)) for name, sky in parts.items()}
 

@@ -24,7 +24,7 @@ class RememberedField(LitField):
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
         """What is seen of the field toward directions (D, 3), (D, 5 + DEPTHS), found once for the same views."""
-        key = blake2b(np.ascontiguousarray(directions, np.float64)).digest()
+        key = blake2b(np.asarray(directions, np.float64).tobytes()).digest()
         found = self.remembered.get(key)
         if found is None:
             found = super().seen(directions)
