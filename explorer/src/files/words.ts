@@ -4,6 +4,7 @@ import { FORMULA, INPUTS } from "../data/shaders";
 import { TABLES } from "../core/tables";
 import { networkBlock, networkText } from "../picture/shaders";
 import { zenithXYZ } from "../skies/light";
+import { isOpen } from "../skies/fields/clear";
 import type { Model } from "../skies/model";
 import type { Sky } from "../skies/sky";
 import { SHAPE_TEXT } from "../skies/shaped";
@@ -50,7 +51,16 @@ const CLASSES: Record<string, string> = {
 };
 
 /** Whether the command shows every light of the hour: the sun has set on the physical sky of a place. */
-const isNight = ({ state, model, sun }: Scene): boolean => model.name === "physical" && !state.sun && sun[2] < 0;
+const isNight = (scene: Scene): boolean => scene.model.name === "physical" && !scene.state.sun && scene.sun[2] < 0 && !hasClouds(scene);
+
+/** Whether clouds with a shape stand in the first sky. */
+const hasClouds = ({ state, skies }: Scene): boolean => state.clouds !== "" && isOpen(skies[0]);
+
+/** Python that puts the clouds into a clear sky. */
+function cloudy({ state }: Scene, clear: string): string {
+  const kind = state.clouds[0].toUpperCase() + state.clouds.slice(1);
+  return `sd.CloudySky(${clear}, sd.CloudField(sd.${kind}(), cover=${short(state.clouded, 2)}, seed=${state.seed}))`;
+}
 
 /** Python that makes the map of every light of a night's hour. */
 function nightPython(scene: Scene): string {
@@ -77,6 +87,7 @@ export function asPython(scene: Scene): string {
   const kind = neural ? `${neural.endsWith("spectral") ? "NeuralSpectralSky" : "NeuralSky"}.load("${neural}", sun, ` : `${CLASSES[model.name] ?? "CIE"}(${under}`;
   let sky = `sd.${kind}${told})`;
   if (model.name === "physical") sky = `sd.PhysicalSky(sun, ${physicalAir(scene)})`;
+  if (hasClouds(scene)) sky = cloudy(scene, sky);
   if (model.name === "overcast") sky = layerOf(scene, state.particles === "ice" ? ", kind=sd.Ice()" : "");
   if (scene.skies[0].notes.length) sky = `sd.Daylight(${sky})`;
   const when = state.sun ? "" : `, time="${time}"`;
@@ -124,6 +135,7 @@ export function asCommand(scene: Scene): string {
     if (state.ozone !== 330) told.push(`--ozone ${short(state.ozone, 0)}`);
   }
   if (model.own?.includes("particles") && state.particles !== "water") told.push(`--cloud-kind ${state.particles}`);
+  if (hasClouds(scene)) told.push(`--clouds ${state.clouds}`, `--cover ${short(state.clouded, 2)}`, `--seed ${state.seed}`);
   if (isBlended(scene)) told.push(`--blend-overcast ${short(state.cover, 2)}`, `--cloud-depth ${short(state.depth, 1)}`);
   const hazy = isOfDisc(model) && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
   return ["skydome render", sun, `--model ${model.name}`, ...told, ...hazy, `--target ${state.target}`, "-o sky.exr"].join(" ") + "\n";

@@ -8,6 +8,7 @@ import { asCommand, asPython, asShader } from "../files/words";
 import { heldNumbers } from "../files/heldshader";
 import { analemma, dayPath } from "../sun/path";
 import { readAddress, writeAddress } from "./address";
+import { Clouds } from "./clouds";
 import type { Control } from "./controls";
 import { section, segments } from "./controls";
 import { h, icon, tell } from "./element";
@@ -47,6 +48,7 @@ export class Explorer {
   private legend = new Legend((part, dragging) => this.change(part, dragging));
   private timeline: Timeline;
   readonly year: Year;
+  readonly clouds = new Clouds(() => this.schedule(this.moving));
   private places = new Places((part) => this.change(part));
   private notice = h("div", { class: "notice", role: "alert", hidden: true });
   private empty = h("div", { class: "empty", hidden: true });
@@ -125,7 +127,7 @@ export class Explorer {
     const begun = performance.now();
     const { moving } = this;
     this.theme();
-    this.scene = sceneOf(this.state);
+    this.scene = this.clouds.over(sceneOf(this.state), moving);
     const { scene } = this;
     if (!moving || scene.skies.every((sky) => sky.recipe.kind === "formula") || this.numbers.length !== scene.skies.length) {
       this.numbers = scene.skies.map(numbersOf);

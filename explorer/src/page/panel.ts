@@ -3,6 +3,7 @@
 import { TABLES } from "../core/tables";
 import { AEROSOLS } from "../skies/physical/airs";
 import { KINDS } from "../skies/clouds/optics";
+import { FIELD_KINDS } from "../skies/fields/names";
 import { MODELS } from "../skies/catalogue";
 import type { Own } from "../skies/model";
 import { checkbox, section, select, slider, type Change, type Control } from "./controls";
@@ -57,6 +58,15 @@ function particles(change: Change): Control {
   return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("particles")(scene))) };
 }
 
+function clouds(change: Change): Control {
+  const kinds = Object.keys(FIELD_KINDS).map((name): [string, string] => [name, name]);
+  const made = select("Clouds", "clouds", new Map([["", [["", "– none –"], ...kinds]]]), change);
+  return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("cover")(scene))) };
+}
+
+/** Whether clouds with a shape are asked for, in a sky that has them. */
+const isClouded = (scene: Scene): boolean => has("cover")(scene) && scene.state.clouds !== "";
+
 /** Whether a layer of cloud is there, whose depth one asks. */
 const isLayered = (scene: Scene): boolean => has("depth")(scene) && (has("particles")(scene) || scene.state.cover > 0);
 
@@ -85,6 +95,11 @@ export function skySection(change: Change): { element: HTMLElement; controls: Co
     slider({ label: "Ground albedo", hint: "Share of light that the ground sends back", step: 0.01, limits: fixed("albedo"),
       value: ({ state }) => state.albedo, text: (value) => value.toFixed(2), change: (albedo) => ({ albedo }),
       shown: (scene) => scene.skies.some((_, k) => modelAt(scene, k)?.albedo) }, change),
+    clouds(change),
+    slider({ label: "Cloud cover", hint: "Share of the sky's columns with cloud", step: 0.01, limits: fixed("clouded"),
+      value: ({ state }) => state.clouded, text: (value) => value.toFixed(2), change: (clouded) => ({ clouded }), shown: isClouded }, change),
+    slider({ label: "Other clouds", hint: "Seed of the clouds' shape", step: 1, limits: () => [0, 99],
+      value: ({ state }) => state.seed, text: (value) => `seed ${value.toFixed(0)}`, change: (seed) => ({ seed }), shown: isClouded }, change),
     slider({ label: "Overcast share", hint: "Share of a sky under an even layer of cloud, by day", step: 0.01, limits: fixed("cover"),
       value: ({ state }) => state.cover, text: (value) => value.toFixed(2), change: (cover) => ({ cover }), shown: has("cover") }, change),
     slider({ label: "Cloud depth", hint: "Optical depth of the layer of cloud at 550 nm", step: 0.5, limits: fixed("depth"),

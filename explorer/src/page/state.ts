@@ -4,6 +4,8 @@ import { isZone } from "../sun/clock";
 import { AEROSOLS } from "../skies/physical/airs";
 import { modelNamed } from "../skies/catalogue";
 import { KINDS, type Kind } from "../skies/clouds/optics";
+import type { FieldKind } from "../skies/fields/kinds";
+import { FIELD_KINDS } from "../skies/fields/names";
 import type { Numbers } from "../skies/model";
 
 export interface State extends Numbers {
@@ -25,6 +27,10 @@ export interface State extends Numbers {
   ozone: number;
   /** Of what a layer of cloud is. */
   particles: Kind;
+  /** The kind of clouds with a shape, "" for none, the share of the sky that they cover, and the seed of their shape. */
+  clouds: FieldKind | "";
+  clouded: number;
+  seed: number;
   /** In what haze is told: turbidity, kilometres that one sees, or the aerosol's optical depth at 550 nm. */
   haze: "turbidity" | "visibility" | "depth";
   view: "dome" | "panorama";
@@ -53,7 +59,7 @@ export const VERSION = 1;
 export const USUAL: State = {
   model: "hosek-wilkie", beside: "", latitude: 45.07, longitude: 7.687, zone: "Europe/Rome", name: "Turin, Italy",
   date: "2026-06-21", minutes: 18 * 60 + 30, sun: null, turbidity: 3, albedo: 0.2, dni: 700, dhi: 120, dew: 11,
-  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, depth: 10, cover: 0, particles: "water", aerosol: "usual", ozone: 330, haze: "turbidity",
+  letters: [-1, -0.32, 10, -3, 0.45], lux: 12000, share: 0.15, clearness: 0.75, cloud: 0, depth: 10, cover: 0, particles: "water", clouds: "", clouded: 0.4, seed: 0, aerosol: "usual", ozone: 330, haze: "turbidity",
   view: "dome", look: 270, show: "photo", ev: null, bar: null, wipe: 0.5, path: true, moon: true, stars: true, analemma: false,
   target: "native", theme: "", url: "",
 };
@@ -70,7 +76,7 @@ export const TARGETS: Record<string, { left: number; note: string }> = {
 
 export const LIMITS: Record<string, [number, number]> = {
   latitude: [-90, 90], longitude: [-180, 180], turbidity: [1, 10], albedo: [0, 1], dni: [0, 1200], dhi: [0, 800],
-  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], depth: [1, 60], cover: [0, 1], ozone: [200, 480], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
+  dew: [-30, 40], lux: [100, 60000], share: [0, 1], clearness: [0, 1], cloud: [0, 1], depth: [1, 60], cover: [0, 1], clouded: [0, 1], seed: [0, 999], ozone: [200, 480], look: [0, 360], ev: [-10, 22], wipe: [0, 1],
 };
 
 /** Limits of Perez's letters, within which his sky is nowhere below 0. */
@@ -105,12 +111,12 @@ function choice<K extends keyof State>(name: K, allowed: (text: string) => boole
   };
 }
 
-function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "depth" | "cover" | "ozone" | "look" | "wipe", digits = 2): Entry {
+function numeric(name: "turbidity" | "albedo" | "dni" | "dhi" | "dew" | "lux" | "share" | "clearness" | "cloud" | "depth" | "cover" | "clouded" | "seed" | "ozone" | "look" | "wipe", digits = 2): Entry {
   return {
     key: name,
     read: (text) => {
       const value = within(name, text);
-      return value === undefined ? undefined : { [name]: value };
+      return value === undefined || (name === "seed" && !Number.isInteger(value)) ? undefined : { [name]: value };
     },
     write: (state) => round(state[name], digits),
   };
@@ -183,7 +189,8 @@ export const ENTRIES: Entry[] = [
     },
     write: ({ letters }) => letters.map((value) => round(value, 3)).join(),
   },
-  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"), numeric("depth", 1), numeric("cover"), choice("particles", oneOf(...Object.keys(KINDS))), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
+  numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"), numeric("depth", 1), numeric("cover"), choice("particles", oneOf(...Object.keys(KINDS))),
+  choice("clouds", oneOf("", ...Object.keys(FIELD_KINDS))), numeric("clouded"), numeric("seed", 0), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
   choice("haze", oneOf("turbidity", "visibility", "depth")),
   choice("view", oneOf("dome", "panorama")), numeric("look", 1),
   choice("show", oneOf("photo", "luminance", "difference")),

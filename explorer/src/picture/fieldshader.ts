@@ -1,5 +1,6 @@
 /** The shader of skies of fields: physical ones, under cloud, and at night. */
 
+import { CROWDED } from "../skies/fields/map";
 import { COLUMNS, RINGS } from "../skies/night/glow";
 import { ROWS, TURNS } from "../skies/physical/grid";
 import type { Fields, Law } from "../skies/sky";
@@ -29,6 +30,9 @@ uniform bool moonlit;
 uniform bool layered;
 uniform sampler2D glow_grid;
 uniform bool glowing;
+uniform sampler2D clouds_left;
+uniform sampler2D clouds_added;
+uniform bool clouded;
 uniform vec3 haze;
 float lobe(float a, float b, float g, float away, float squared) {
     float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
@@ -72,11 +76,17 @@ vec3 of_glow(vec3 d) {
     vec3 upper = mix(texelFetch(glow_grid, ivec2(j, i), 0).rgb, texelFetch(glow_grid, ivec2(j + 1, i), 0).rgb, b);
     return mix(upper, mix(texelFetch(glow_grid, ivec2(j, i + 1), 0).rgb, texelFetch(glow_grid, ivec2(j + 1, i + 1), 0).rgb, b), a);
 }
+vec3 behind_clouds(vec3 light, vec3 d) {
+    float high = 0.5 * PI - skydome_angle(0.5 * (1.0 - clamp(d.z, 0.0, 1.0)));
+    vec2 place = vec2(atan(d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1 / CROWDED).toFixed(9)}));
+    return light * texture(clouds_left, place).rgb + texture(clouds_added, place).rgb;
+}
 vec3 sky_xyz(vec3 d) {
     vec3 light = clear ? of_lamp(grid, seen, d) : vec3(0.0);
     if (moonlit) light += of_lamp(moon_grid, moon_seen, d);
-    if (layered) light += of_layer(d);
     if (glowing) light += of_glow(d);
+    if (clouded) light = behind_clouds(light, d);
+    if (layered) light += of_layer(d);
     return lit * light;
 }
 `;

@@ -167,18 +167,21 @@ export class Renderer {
 
   private tellFields(program: WebGLProgram, fields: Fields, lit: number): void {
     const { gl } = this;
-    const { moonlit, layer } = fields;
+    const { moonlit, layer, clouds } = fields;
     this.textures.bind(0, fields.grid, 4 * TURNS, ROWS);
     this.textures.bind(1, moonlit?.grid ?? null, 4 * TURNS, ROWS);
     this.textures.bind(2, layer?.grid ?? null, 4 * TURNS, ROWS);
     this.textures.bind(3, layer?.phases ?? null, (layer?.phases.length ?? 3) / 3, 1);
     this.textures.bind(4, fields.glow, COLUMNS, RINGS);
-    ["grid", "moon_grid", "layer_grid", "layer_phases", "glow_grid"].forEach((name, k) => gl.uniform1i(this.at(program, name), FIRST_UNIT + k));
+    this.textures.bind(5, clouds?.left ?? null, clouds?.width ?? 1, clouds?.height ?? 1, this.linear);
+    this.textures.bind(6, clouds?.added ?? null, clouds?.width ?? 1, clouds?.height ?? 1, this.linear);
+    ["grid", "moon_grid", "layer_grid", "layer_phases", "glow_grid", "clouds_left", "clouds_added"].forEach((name, k) => gl.uniform1i(this.at(program, name), FIRST_UNIT + k));
     gl.uniform1f(this.at(program, "lit"), lit);
     gl.uniform1i(this.at(program, "clear"), Number(fields.clear));
     gl.uniform1i(this.at(program, "moonlit"), Number(moonlit !== null));
     gl.uniform1i(this.at(program, "layered"), Number(layer !== null));
     gl.uniform1i(this.at(program, "glowing"), Number(fields.glow !== null));
+    gl.uniform1i(this.at(program, "clouded"), Number(clouds !== null));
     const [lobe] = (moonlit ?? fields).laws[1].lobes;
     gl.uniform3f(this.at(program, "haze"), lobe[0], lobe[1], lobe[2]);
     gl.uniform3f(this.at(program, "seen"), ...fields.seen);

@@ -40,7 +40,7 @@ export function diffuseXYZ(sky: Sky): Vec3 {
   const lamp = sky.disc?.toward ?? sky.sun;
   const turn = azimuth(lamp);
   const { recipe, points } = sky;
-  const around = recipe.kind === "fields" && (recipe.moonlit || recipe.glow) ? bothSides : nodesAbout;
+  const around = recipe.kind === "fields" && (recipe.moonlit || recipe.glow || recipe.clouds) ? bothSides : nodesAbout;
   around(Math.PI / 2 - elevation(lamp), (zenith, difference, solidAngle) => {
     const toward = direction(turn + difference, Math.PI / 2 - zenith);
     total = sum(total, scaled(xyzToward(sky, toward), solidAngle * Math.cos(zenith)));

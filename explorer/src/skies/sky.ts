@@ -1,6 +1,7 @@
 /** What the page knows of one sky: its light toward any direction, and how a shader is told of it. */
 
 import type { Vec3 } from "../core/vector";
+import type { CloudMap } from "./fields/map";
 
 /** Numbers R A B C D E F G H I of one channel (Hosek and Wilkie 2012, eq. 8). */
 export type Letters = number[];
@@ -48,6 +49,8 @@ export interface Fields {
   moonlit: Fields | null;
   /** Light of a layer of cloud, added; null without. */
   layer: Layer | null;
+  /** Clouds with a shape, before what lamps and night send; null without. */
+  clouds: CloudMap | null;
   /** What glows at night whatever sun and moon do, XYZ on the grid of `night/glow.ts`; null by day. */
   glow: Float32Array | null;
 }

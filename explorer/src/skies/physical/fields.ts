@@ -1,6 +1,7 @@
 /** A physical sky held as fields: straight lines between the nodes of a fine grid, phase functions put in exactly. */
 
 import { limited, sum, type Vec3 } from "../../core/vector";
+import { behind } from "../fields/map";
 import { glowAt } from "../night/glow";
 import { ROWS, TURNS } from "./grid";
 import { skydome_angle } from "../../data/formula";
@@ -36,8 +37,10 @@ export function fieldsLight(fields: Fields, toward: Vec3): Vec3 {
   let light: Vec3 = [0, 0, 0];
   if (fields.clear) light = lampLight(fields, leastCosine, toward, laws.map((law) => phase(law, away(fields.seen))));
   if (moonlit) light = sum(light, lampLight(moonlit, leastCosine, toward, moonlit.laws.map((law) => phase(law, away(moonlit.seen)))));
+  if (fields.glow) light = sum(light, glowAt(fields.glow, toward));
+  if (fields.clouds) light = behind(fields.clouds, light, toward);
   if (layer) light = sum(light, lampLight(layer, leastCosine, toward, phasesAt(layer, away(layer.seen))));
-  return fields.glow ? sum(light, glowAt(fields.glow, toward)) : light;
+  return light;
 }
 
 /** Straight lines between a layer's phase functions. */

@@ -35,7 +35,7 @@ export interface Physical {
 export const DARK: Physical = {
   fields: {
     kind: "fields", clear: false, grid: new Float32Array(ROWS * TURNS * 12), seen: [0, 1, 0], leastCosine: LEAST_COSINE, laws: LAWS,
-    moonlit: null, layer: null, glow: null,
+    moonlit: null, layer: null, clouds: null, glow: null,
   },
   lux: 0,
 };
@@ -86,6 +86,6 @@ export function physicalLight(sun: Vec3, turbidity: number, albedo: number, air:
   const seen = heights.reduce((total, [row, weight]) => total + weight * span.seen[row], 0) + degrees - height;
   const laws = table.laws.map((law, k) => (k === 1 ? lawOf(air, law) : law));
   const lux = dimmed * Math.exp(airs.reduce((total, [row, weight]) => total + weight * span.lux.flat()[row], 0));
-  const fields: Fields = { kind: "fields", clear: true, grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws, moonlit: null, layer: null, glow: null };
+  const fields: Fields = { kind: "fields", clear: true, grid, seen: direction(azimuth(sun), seen * DEG), leastCosine: table.leastCosine, laws, moonlit: null, layer: null, clouds: null, glow: null };
   return { fields, lux: lux < 1e-3 ? 0 : lux * strength[1] };
 }

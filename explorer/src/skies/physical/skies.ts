@@ -41,6 +41,6 @@ export function covered(c: Conditions, clear: Sky): Sky {
 export function overcast(c: Conditions): Sky {
   const sun = risen(c.sun);
   const { layer, lux } = overcastLight(sun, c.particles, c.depth, c.albedo, c.distance ** -2, 1);
-  const recipe: Fields = { kind: "fields", clear: false, grid: layer.grid, seen: sun, leastCosine: LEAST_COSINE, laws: LAWS, moonlit: null, layer, glow: null };
+  const recipe: Fields = { kind: "fields", clear: false, grid: layer.grid, seen: sun, leastCosine: LEAST_COSINE, laws: LAWS, moonlit: null, layer, clouds: null, glow: null };
   return withDisc(base("overcast", c, recipe, c.albedo), c, 3, lux);
 }

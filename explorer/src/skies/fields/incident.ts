@@ -1,0 +1,78 @@
+/** The light of a clear sky on a field of cloud and the air before it, put together with what rays see. A second form of `Incident`. */
+
+import table from "../../data/clouds.json";
+import type { FieldKind } from "./kinds";
+import type { Lit } from "./lit";
+import { DEPTHS, SEEN } from "./march";
+import { seemingColours, type Phases } from "./scattering";
+import { colourOf, depthOf, type ClearLight } from "./spectra";
+
+const { views: VIEWS, angles: ANGLES, colours: COLOURS, earth: EARTH } = table;
+/** Heights in the layer of cloud, and parts: the share of the air before it, sun, sky, ground, and the sun scattered once. */
+const LEVELS = 3;
+const PARTS = 5;
+
+export class Incident {
+  private readonly tables = new Float64Array(VIEWS * LEVELS * PARTS * 3);
+  /** Share of its light without cloud that the air below the field has. */
+  private readonly shade: number[];
+  private readonly seeming: Float32Array;
+  private readonly low: number;
+  private readonly high: number;
+
+  constructor(readonly lit: Lit, kind: FieldKind, clear: ClearLight, phases: Phases) {
+    const { base, thickness } = table.kinds[kind];
+    [this.low, this.high] = [base, base + thickness];
+    const { budget, sun, cells } = lit;
+    const down = clear.sun.map((value, w) => {
+      const came = clear.below[w] * sun[2] * budget.direct + value * budget.sun + clear.sky[w] * budget.sky;
+      return came / (1 - clear.albedo * budget.back);
+    });
+    const whole = colourOf((w) => clear.sky[w]);
+    const shaded = colourOf((w) => (clear.sky[w] * down[w]) / Math.max(clear.below[w] * sun[2] + clear.sky[w], 1e-30));
+    this.shade = shaded.map((value, c) => value / (Math.abs(whole[c]) > 1e-30 ? whole[c] : 1));
+    this.seeming = seemingColours(phases, clear.sun.map((value, w) => COLOURS[w].map((colour) => colour * value)), cells.asymmetry ** 2);
+    const lights = [clear.sun, clear.sky, down.map((value) => value * clear.albedo), clear.sun];
+    for (let j = 0, at = 0; j < VIEWS; j++) {
+      const mean = colourOf((w) => clear.mean[j][w]);
+      for (let level = 0; level < LEVELS; level++) {
+        const columns = table.between[kind][j][level];
+        const through = clear.sun.map((_, w) => Math.exp(-Math.max(depthOf(columns, clear.depths, w), 0)));
+        const before = colourOf((w) => {
+          const all = -Math.expm1(-depthOf(table.ground[j], clear.depths, w));
+          return clear.mean[j][w] * Math.min((1 - through[w]) / Math.max(all, 1e-30), 1);
+        });
+        const parts = [before.map((value, c) => value / (Math.abs(mean[c]) > 1e-30 ? mean[c] : 1)), ...lights.map((light) => colourOf((w) => through[w] * light[w]))];
+        for (const part of parts) for (let c = 0; c < 3; c++) this.tables[at++] = part[c];
+      }
+    }
+  }
+
+  /** What is left of the clear sky's light toward a direction, and what is added to it, XYZ; six numbers into `out`. */
+  put(seen: Float64Array, a: number, b: number, upward: number, out: Float32Array, at: number): void {
+    const { tables, seeming, lit } = this;
+    const up = Math.min(Math.max(upward, 0), 1), far = seen[SEEN.far], through = seen[SEEN.through];
+    const height = far * up + (far * far * (1 - up * up)) / (2 * EARTH);
+    const row = Math.sqrt(up) * (VIEWS - 1), level = Math.min(Math.max((height - this.low) / (this.high - this.low), 0), 1) * (LEVELS - 1);
+    const j = Math.min(Math.floor(row), VIEWS - 2), k = Math.min(Math.floor(level), LEVELS - 2), v = row - j, u = level - k;
+    const cosine = a * lit.sun[0] + b * lit.sun[1] + upward * lit.sun[2];
+    const place = Math.sqrt(Math.acos(Math.min(Math.max(cosine, -1), 1)) / Math.PI) * (ANGLES - 1);
+    const n = Math.min(Math.floor(place), ANGLES - 2), t = place - n;
+    for (let c = 0; c < 3; c++) {
+      let once = 0;
+      for (let depth = 0; depth < DEPTHS; depth++) {
+        const part = seen[SEEN.once + depth];
+        if (part > 0) once += part * (seeming[3 * (depth * ANGLES + n) + c] * (1 - t) + seeming[3 * (depth * ANGLES + n + 1) + c] * t);
+      }
+      let added = 0;
+      for (let part = 0; part < PARTS; part++) {
+        const first = (j * LEVELS + k) * PARTS * 3 + 3 * part + c, next = first + PARTS * 3, above = first + LEVELS * PARTS * 3;
+        const lower = tables[first] * (1 - u) + tables[next] * u, upper = tables[above] * (1 - u) + tables[above + PARTS * 3] * u;
+        const there = lower * (1 - v) + upper * v;
+        if (part === 0) out[at + c] = through * (1 - there) + there * this.shade[c];
+        else added += (part === PARTS - 1 ? once : seen[part]) * there;
+      }
+      out[at + 3 + c] = added;
+    }
+  }
+}

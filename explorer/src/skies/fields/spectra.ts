@@ -1,0 +1,95 @@
+/** The light of a clear sky at a field of cloud by wavelength, from its colours and its air. */
+
+import table from "../../data/clouds.json";
+import type { Vec3 } from "../../core/vector";
+import type { FieldKind } from "./kinds";
+
+const { colours: COLOURS, wavelengths: WAVELENGTHS, views: VIEWS } = table;
+
+/** What the page knows of a clear sky: XYZ, and its air. */
+export interface ClearColours {
+  /** On the horizontal, lx; and around elevations from the horizon to the zenith, even in the root of the sine, cd m-2. */
+  sky: Vec3;
+  mean: Vec3[];
+  /** Where the sun is seen, its illuminance facing it at the ground, lx, and its strength over that 1 AU away. */
+  sun: Vec3;
+  lux: number;
+  strength: number;
+  turbidity: number;
+  aerosol: string;
+  /** Dobson units. */
+  ozone: number;
+  albedo: number;
+}
+
+/** What a clear sky sends, by wavelength, over the sun's irradiance above the air 1 AU away. */
+export interface ClearLight {
+  /** Of the sun on a plane that faces it, at the field and at the ground. */
+  sun: number[];
+  below: number[];
+  /** Of the sky on the horizontal, and its radiance around each of `views` elevations. */
+  sky: number[];
+  mean: number[][];
+  /** Vertical optical depths of molecules, haze near the ground, ozone and haze of the stratosphere. */
+  depths: number[][];
+  albedo: number;
+}
+
+/** XYZ of light by wavelength. */
+export function colourOf(light: (w: number) => number): Vec3 {
+  const total: [number, number, number] = [0, 0, 0];
+  for (let w = 0; w < COLOURS.length; w++) {
+    const value = light(w);
+    for (let c = 0; c < 3; c++) total[c] += value * COLOURS[w][c];
+  }
+  return total;
+}
+
+/** Optical depth of columns of the air's constituents. */
+export const depthOf = (columns: readonly number[], depths: number[][], w: number): number =>
+  columns.reduce((total, column, k) => total + column * depths[k][w], 0);
+
+/** Three spectra of scattered light, and how much of each a colour has: (3, 3), columns X, Y, Z. */
+const BASIS = [0, 1, 2].map((n) => WAVELENGTHS.map((length) => (length / 550) ** (-2 * n)));
+const FROM_XYZ = inverse(BASIS.map((light) => [...colourOf((w) => light[w])]));
+
+function inverse([[a, b, c], [d, e, f], [g, h, i]]: number[][]): number[][] {
+  const whole = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+  return [[e * i - f * h, c * h - b * i, b * f - c * e], [f * g - d * i, a * i - c * g, c * d - a * f], [d * h - e * g, b * g - a * h, a * e - b * d]]
+    .map((row) => row.map((value) => value / whole));
+}
+
+/** A smooth spectrum of a colour. */
+function spectrumOf(xyz: Vec3): number[] {
+  const amounts = [0, 1, 2].map((n) => xyz.reduce((total, value, c) => total + value * FROM_XYZ[c][n], 0));
+  return WAVELENGTHS.map((_, w) => Math.max(0, amounts.reduce((total, amount, n) => total + amount * BASIS[n][w], 0)));
+}
+
+/** Rows (even in the root of the sine) at a place among them, 0..1. */
+function rowAt(rows: readonly (readonly number[])[], place: number): number[] {
+  const at = place * (rows.length - 1), k = Math.min(Math.floor(at), rows.length - 2);
+  return rows[k].map((value, n) => value + (rows[k + 1][n] - value) * (at - k));
+}
+
+/** Optical depths of the air's constituents. */
+function depthsOf({ turbidity, aerosol, ozone }: ClearColours): number[][] {
+  const whole = (turbidity - 1) * table.rayleigh;
+  const high = Math.min(whole, table.background[0]);
+  const along = (depth: number, exponent: number): number[] => WAVELENGTHS.map((length) => depth * (length / 550) ** -exponent);
+  const exponent = (table.angstrom as Record<string, number>)[aerosol] ?? table.angstrom.usual;
+  return [table.molecules, along(whole - high, exponent), table.ozone.map((each) => each * ozone), along(high, table.background[1])];
+}
+
+/** The light of a clear sky at a kind's field. */
+export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
+  const { sun, lux, strength } = clear, depths = depthsOf(clear), sine = Math.sqrt(Math.max(0, sun[2]));
+  const beam = (columns: number[][]): number[] => {
+    const along = rowAt(columns, sine);
+    return WAVELENGTHS.map((_, w) => strength * Math.exp(-depthOf(along, depths, w)));
+  };
+  const [there, below] = [beam(table.sunward[kind]), beam(table.ground)];
+  const gases = lux / colourOf((w) => below[w])[1];
+  const scaled = (light: number[]): number[] => light.map((value) => value * gases);
+  const mean = Array.from({ length: VIEWS }, (_, j) => spectrumOf(rowAt(clear.mean, j / (VIEWS - 1)) as unknown as Vec3));
+  return { sun: scaled(there), below: scaled(below), sky: spectrumOf(clear.sky), mean, depths, albedo: clear.albedo };
+}
