@@ -48,7 +48,7 @@ class Page:
 
     def wait_for(self, expression):
         """Wait until an expression is true: asked from outside, as the page's own policy forbids `eval` within."""
-        for _ in range(3000):
+        for _ in range(600):
             if self.page.evaluate(expression):
                 return
             self.page.wait_for_timeout(50)
