@@ -25,6 +25,8 @@ from skydome.skies.suns.sun_disc import MEAN_RADIUS
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "clouds.json"
 SINES = np.linspace(0.0, 1.0, incident.VIEWS) ** 2
 LEVELS = incident.LEVELS
+STANDING = -4.0 + 94.0 * np.linspace(0.0, 1.0, 64) ** 2
+"""True elevations of suns, degrees."""
 FIGURES = 5
 
 
@@ -45,14 +47,17 @@ def numbers_of(kind: CloudKind) -> dict[str, Any]:
 
 def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray]:
     """Vertical columns of molecules, haze and ozone between the eye and the heights of a kind, (VIEWS, LEVELS, 3); and of
-    these and the stratosphere's haze from its middle out toward the sun, (VIEWS, 4).
+    suns at `STANDING`, as seen from its middle, the share that the ground leaves, and columns of these and of the
+    stratosphere's haze, (SUNS, 5).
     """
     tables, radius = ColumnTables.of(air), air.radius
     heights = np.linspace(kind.base, kind.base + kind.thickness, LEVELS)
     sines, at = np.meshgrid(SINES, heights, indexing="ij")
     there = np.sqrt(1 - (1 - sines**2) * (radius / (radius + at)) ** 2)
     between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, there)
-    return np.maximum(between[..., :3], 0.0), np.asarray(tables.toward(np.full(SINES.shape, heights[LEVELS // 2]), SINES))
+    middle = np.full(STANDING.shape, heights[LEVELS // 2])
+    seen, share = tables.seen(middle, np.radians(STANDING))
+    return np.maximum(between[..., :3], 0.0), np.column_stack([share, tables.toward(middle, np.sin(seen))])
 
 
 def table() -> dict[str, Any]:
@@ -94,6 +99,7 @@ def table() -> dict[str, Any]:
         "background": [BACKGROUND_DEPTH, background().angstrom],
         "between": {name: plain(each[0], 4) for name, each in columns.items()},
         "sunward": {name: plain(each[1]) for name, each in columns.items()},
+        "standing": [STANDING[0], STANDING[-1]],
         "ground": plain(ColumnTables.of(air).toward(np.zeros(SINES.shape), SINES)),
     }
 

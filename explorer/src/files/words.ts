@@ -4,7 +4,6 @@ import { FORMULA, INPUTS } from "../data/shaders";
 import { TABLES } from "../core/tables";
 import { networkBlock, networkText } from "../picture/shaders";
 import { zenithXYZ } from "../skies/light";
-import { isOpen } from "../skies/fields/clear";
 import type { Model } from "../skies/model";
 import type { Sky } from "../skies/sky";
 import { SHAPE_TEXT } from "../skies/shaped";
@@ -51,15 +50,15 @@ const CLASSES: Record<string, string> = {
 };
 
 /** Whether the command shows every light of the hour: the sun has set on the physical sky of a place. */
-const isNight = (scene: Scene): boolean => scene.model.name === "physical" && !scene.state.sun && scene.sun[2] < 0 && !hasClouds(scene);
+const isNight = ({ state, model, sun }: Scene): boolean => model.name === "physical" && !state.sun && sun[2] < 0;
 
 /** Whether clouds with a shape stand in the first sky. */
-const hasClouds = ({ state, skies }: Scene): boolean => state.clouds !== "" && isOpen(skies[0]);
+const hasClouds = ({ state, model }: Scene): boolean => state.clouds !== "" && model.name === "physical";
 
-/** Python that puts the clouds into a clear sky. */
-function cloudy({ state }: Scene, clear: string): string {
+/** Python of those clouds. */
+function fieldOf({ state }: Scene): string {
   const kind = state.clouds[0].toUpperCase() + state.clouds.slice(1);
-  return `sd.CloudySky(${clear}, sd.CloudField(sd.${kind}(), cover=${short(state.clouded, 2)}, seed=${state.seed}))`;
+  return `sd.CloudField(sd.${kind}(), cover=${short(state.clouded, 2)}, seed=${state.seed})`;
 }
 
 /** Python that makes the map of every light of a night's hour. */
@@ -68,7 +67,7 @@ function nightPython(scene: Scene): string {
   const place = `sd.Place(${short(state.latitude)}, ${short(state.longitude)})`;
   const time = isoText(state.date, state.minutes, state.zone);
   return [
-    "import skydome as sd", "", `sky = sd.sky_at(${place}, "${time}", ${physicalAir(scene)})`,
+    "import skydome as sd", "", `sky = sd.sky_at(${place}, "${time}", ${physicalAir(scene)}${hasClouds(scene) ? `, clouds=${fieldOf(scene)}` : ""})`,
     `sd.render(sky, height=1024).save("sky.exr", target="${state.target}")`, "",
   ].join("\n");
 }
@@ -87,9 +86,9 @@ export function asPython(scene: Scene): string {
   const kind = neural ? `${neural.endsWith("spectral") ? "NeuralSpectralSky" : "NeuralSky"}.load("${neural}", sun, ` : `${CLASSES[model.name] ?? "CIE"}(${under}`;
   let sky = `sd.${kind}${told})`;
   if (model.name === "physical") sky = `sd.PhysicalSky(sun, ${physicalAir(scene)})`;
-  if (hasClouds(scene)) sky = cloudy(scene, sky);
+  if (hasClouds(scene)) sky = `sd.CloudySky(${sky}, ${fieldOf(scene)})`;
   if (model.name === "overcast") sky = layerOf(scene, state.particles === "ice" ? ", kind=sd.Ice()" : "");
-  if (scene.skies[0].notes.length) sky = `sd.Daylight(${sky})`;
+  if (scene.skies[0].notes.length && model.name !== "physical") sky = `sd.Daylight(${sky})`;
   const when = state.sun ? "" : `, time="${time}"`;
   const turbidity = isOfDisc(model) ? `, turbidity=${short(state.turbidity, 2)}` : "";
   const disc = scene.skies[0].disc ? ` + sd.SunDisc.of(sky${turbidity}${when})` : "";
@@ -151,7 +150,7 @@ export function asShader(sky: Sky, language: ShaderLanguage = "glsl"): string {
   const head = `// skydome ${TABLES.version}, ${sky.name}: linear sRGB toward a unit vector, x east, y north, z up; 1 = 1 cd m-2.`;
   const sun = `const vec3 sun = vec3(${sky.sun.map(literal).join(", ")});`;
   const matrix = TABLES.colour.srgbFromXYZ;
-  if (sky.recipe.kind === "fields" && sky.recipe.layer) throw new Error("a layer of cloud has no shader: take its map");
+  if (sky.recipe.kind === "fields" && (sky.recipe.layer || sky.recipe.clouds)) throw new Error("clouds have no shader: take their map");
   if (sky.recipe.kind === "fields") return heldText(language);
   const body = { formula: formulaText, network: networkWords, shaped: shapedText }[sky.recipe.kind](sky);
   const toRGB = `mat3(${[0, 1, 2].flatMap((c) => matrix.map((row) => literal(row[c]))).join(", ")})`;

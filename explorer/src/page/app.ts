@@ -48,7 +48,7 @@ export class Explorer {
   private legend = new Legend((part, dragging) => this.change(part, dragging));
   private timeline: Timeline;
   readonly year: Year;
-  readonly clouds = new Clouds(() => this.schedule(this.moving));
+  readonly clouds = new Clouds(() => this.schedule(this.moving), (text) => this.say(text));
   private places = new Places((part) => this.change(part));
   private notice = h("div", { class: "notice", role: "alert", hidden: true });
   private empty = h("div", { class: "empty", hidden: true });
@@ -214,7 +214,7 @@ export class Explorer {
   get words(): { python: string; command: string; shader: string; numbers: number[] } {
     const [{ recipe }] = this.scene.skies;
     const numbers = recipe.kind === "fields" ? heldNumbers(recipe) : [];
-    const shader = recipe.kind === "fields" && recipe.layer ? "" : asShader(this.scene.skies[0]);
+    const shader = recipe.kind === "fields" && (recipe.layer || recipe.clouds) ? "" : asShader(this.scene.skies[0]);
     return { python: asPython(this.scene), command: asCommand(this.scene), shader, numbers };
   }
 

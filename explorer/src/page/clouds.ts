@@ -1,7 +1,7 @@
 /** The clouds of the page: asks a worker for their map, and puts the newest one into the sky. */
 
 import { KINDS } from "../skies/clouds/optics";
-import { clearColours, isOpen, withClouds } from "../skies/fields/clear";
+import { clearColours, isOpen, LOWEST_SUN, withClouds } from "../skies/fields/clear";
 import type { FieldKind } from "../skies/fields/kinds";
 import type { CloudMap } from "../skies/fields/map";
 import { FIELD_KINDS } from "../skies/fields/names";
@@ -9,6 +9,9 @@ import type { Answer, Asked } from "../skies/fields/worker";
 import CloudWorker from "../skies/fields/worker?worker&inline";
 import type { Sky } from "../skies/sky";
 import { conditionsOf, type Scene } from "./scene";
+
+const COMING = "clouds: finer ones are being made";
+const FAR = `clouds: drawn while the sun is above ${LOWEST_SUN} degrees; the command has them at every hour`;
 
 export class Clouds {
   private worker: Worker | null = null;
@@ -22,17 +25,19 @@ export class Clouds {
   readonly took: number[] = [];
   private begun = 0;
 
-  constructor(private ready: () => void) {}
+  /** `ready`: a map has come; `failed`: none can. */
+  constructor(private ready: () => void, private failed: (text: string) => void) {}
 
   /** The scene with its clouds, as far as they are known; asks for others where they must change. */
   over(scene: Scene, moving: boolean): Scene {
     const { clouds } = scene.state;
     if (!clouds) this.map = null;
     const open = clouds ? scene.skies.find(isOpen) : undefined;
-    if (!open) return scene;
+    if (!open) return clouds && scene.model.name === "physical" ? { ...scene, wanting: [FAR] } : scene;
     this.ask(scene, open, clouds as FieldKind, moving);
     const { map } = this;
-    return map ? { ...scene, skies: scene.skies.map((sky) => (isOpen(sky) ? withClouds(sky, map) : sky)) } : scene;
+    const skies = map ? scene.skies.map((sky) => (isOpen(sky) ? withClouds(sky, map) : sky)) : scene.skies;
+    return { ...scene, skies, wanting: this.settled ? [] : [COMING] };
   }
 
   private ask({ state, sun, distance }: Scene, sky: Sky, kind: FieldKind, moving: boolean): void {
@@ -55,6 +60,7 @@ export class Clouds {
   private started(): Worker {
     if (this.worker) return this.worker;
     this.worker = new CloudWorker();
+    this.worker.onerror = () => this.failed("This browser lets the page start no worker, which makes the clouds");
     this.worker.onmessage = ({ data }: MessageEvent<Answer>) => this.take(data);
     return this.worker;
   }

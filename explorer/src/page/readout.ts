@@ -57,7 +57,7 @@ export class Readout {
         ...numbers.map((each) => h("td", {}, kelvin(each[key])))));
     }
     this.body.replaceChildren(...rows);
-    tell(this.note, scene.skies.flatMap((sky) => sky.notes).filter((text, k, all) => all.indexOf(text) === k).join(". "));
+    tell(this.note, [...scene.skies.flatMap((sky) => sky.notes), ...scene.wanting].filter((text, k, all) => all.indexOf(text) === k).join(". "));
   }
 }
 

@@ -24,6 +24,8 @@ export interface Scene {
   model: Model;
   /** One sky, or two side by side. */
   skies: Sky[];
+  /** What is not drawn yet, or not here, a line each. */
+  wanting: string[];
 }
 
 export interface Numbers {
@@ -58,7 +60,7 @@ export function sceneOf(state: State): Scene {
   const model = modelNamed(state.model) ?? MODELS[0];
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
-  return { state, utc, sun, distance, moon: state.sun ? null : moon, model, skies };
+  return { state, utc, sun, distance, moon: state.sun ? null : moon, model, skies, wanting: [] };
 }
 
 /** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */

@@ -112,7 +112,7 @@ export function takeAway(explorer: Explorer): HTMLElement {
   const language = h("select", { "aria-label": "Shading language", class: "small" }, ...LANGUAGES.map((name) => h("option", { value: name }, name.toUpperCase())));
   const numbers = h("button", { type: "button", title: "The numbers that the shader reads, a JSON list of floats", click: saved(() => {
     const { recipe } = explorer.scene.skies[0];
-    if (recipe.kind !== "fields" || recipe.layer) return explorer.say("a layer of cloud has no shader: take its map");
+    if (recipe.kind !== "fields" || recipe.layer || recipe.clouds) return explorer.say("clouds have no shader: take their map");
     const text = JSON.stringify(heldNumbers(recipe).map((value) => Number(value.toPrecision(9))));
     download(new TextEncoder().encode(text), "numbers.json", "application/json");
   }) }, "Shader numbers");

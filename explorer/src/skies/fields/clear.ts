@@ -1,6 +1,6 @@
 /** What a field of cloud must know of the clear sky about it, and the sky with the field in it. */
 
-import { DEG, direction, scaled, sum, type Vec3 } from "../../core/vector";
+import { DEG, direction, elevation, scaled, sum, type Vec3 } from "../../core/vector";
 import { diffuseXYZ } from "../integral";
 import { xyzToward } from "../light";
 import type { Conditions } from "../model";
@@ -30,7 +30,7 @@ export function clearColours(sky: Sky, c: Pick<Conditions, "turbidity" | "albedo
   const sun = sky.recipe.seen;
   const lux = sun[2] > 0 && !sky.recipe.moonlit ? (sky.disc?.normal[1] ?? 0) : 0;
   const strength = c.distance ** -2 * (1 - c.cover);
-  return { sky: diffuseXYZ(alone), mean, sun, lux, strength, turbidity: c.turbidity, aerosol: c.air.aerosol, ozone: c.air.ozone, albedo: c.albedo };
+  return { sky: diffuseXYZ(alone), mean, sun, elevation: elevation(sky.sun) / DEG, lux, strength, turbidity: c.turbidity, aerosol: c.air.aerosol, ozone: c.air.ozone, albedo: c.albedo };
 }
 
 /** A clear sky with clouds before it. */

@@ -1,7 +1,7 @@
 /** The light of a clear sky at a field of cloud by wavelength, from its colours and its air. */
 
 import table from "../../data/clouds.json";
-import type { Vec3 } from "../../core/vector";
+import { limited, type Vec3 } from "../../core/vector";
 import type { FieldKind } from "./kinds";
 
 const { colours: COLOURS, wavelengths: WAVELENGTHS, views: VIEWS } = table;
@@ -11,8 +11,9 @@ export interface ClearColours {
   /** On the horizontal, lx; and around elevations from the horizon to the zenith, even in the root of the sine, cd m-2. */
   sky: Vec3;
   mean: Vec3[];
-  /** Where the sun is seen, its illuminance facing it at the ground, lx, and its strength over that 1 AU away. */
+  /** Where the sun is seen and how high it stands, degrees, its illuminance facing it at the ground, lx, and its strength over that 1 AU away. */
   sun: Vec3;
+  elevation: number;
   lux: number;
   strength: number;
   turbidity: number;
@@ -82,13 +83,15 @@ function depthsOf({ turbidity, aerosol, ozone }: ClearColours): number[][] {
 
 /** The light of a clear sky at a kind's field. */
 export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
-  const { sun, lux, strength } = clear, depths = depthsOf(clear), sine = Math.sqrt(Math.max(0, sun[2]));
-  const beam = (columns: number[][]): number[] => {
-    const along = rowAt(columns, sine);
-    return WAVELENGTHS.map((_, w) => strength * Math.exp(-depthOf(along, depths, w)));
+  const { sun, lux, strength } = clear, depths = depthsOf(clear);
+  const beam = (columns: number[][], place: number): number[] => {
+    const [share, ...along] = rowAt(columns, place);
+    return WAVELENGTHS.map((_, w) => strength * share * Math.exp(-depthOf(along, depths, w)));
   };
-  const [there, below] = [beam(table.sunward[kind]), beam(table.ground)];
-  const gases = lux / colourOf((w) => below[w])[1];
+  const [least, most] = table.standing;
+  const there = beam(table.sunward[kind], Math.sqrt(limited((clear.elevation - least) / (most - least), 0, 1)));
+  const below = beam(table.ground.map((columns) => [Number(lux > 0), ...columns]), Math.sqrt(Math.max(0, sun[2])));
+  const gases = lux > 0 ? lux / colourOf((w) => below[w])[1] : 1;
   const scaled = (light: number[]): number[] => light.map((value) => value * gases);
   const mean = Array.from({ length: VIEWS }, (_, j) => spectrumOf(rowAt(clear.mean, j / (VIEWS - 1)) as unknown as Vec3));
   return { sun: scaled(there), below: scaled(below), sky: spectrumOf(clear.sky), mean, depths, albedo: clear.albedo };
