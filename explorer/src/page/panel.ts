@@ -59,7 +59,7 @@ function particles(change: Change): Control {
 }
 
 function clouds(change: Change): Control {
-  const kinds = Object.keys(FIELD_KINDS).map((name): [string, string] => [name, name]);
+  const kinds = FIELD_KINDS.map((name): [string, string] => [name, name]);
   const made = select("Clouds", "clouds", new Map([["", [["", "– none –"], ...kinds]]]), change);
   return { element: made.element, follow: (scene) => (made.follow(scene), void (made.element.hidden = !has("cover")(scene))) };
 }

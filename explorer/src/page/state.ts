@@ -190,7 +190,7 @@ export const ENTRIES: Entry[] = [
     write: ({ letters }) => letters.map((value) => round(value, 3)).join(),
   },
   numeric("lux", 0), numeric("share"), numeric("clearness"), numeric("cloud"), numeric("depth", 1), numeric("cover"), choice("particles", oneOf(...Object.keys(KINDS))),
-  choice("clouds", oneOf("", ...Object.keys(FIELD_KINDS))), numeric("clouded"), numeric("seed", 0), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
+  choice("clouds", oneOf("", ...FIELD_KINDS)), numeric("clouded"), numeric("seed", 0), numeric("ozone", 0), choice("aerosol", oneOf(...AEROSOLS)),
   choice("haze", oneOf("turbidity", "visibility", "depth")),
   choice("view", oneOf("dome", "panorama")), numeric("look", 1),
   choice("show", oneOf("photo", "luminance", "difference")),

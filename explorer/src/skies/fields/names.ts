@@ -1,6 +1,5 @@
-/** The kinds of cloud of fields, and of what they are. */
+/** The kinds of cloud of fields by name; their numbers are the worker's alone. */
 
-import type { Kind } from "../clouds/optics";
 import type { FieldKind } from "./kinds";
 
-export const FIELD_KINDS: Record<FieldKind, Kind> = { cumulus: "water", stratocumulus: "water", altocumulus: "water", cirrus: "ice" };
+export const FIELD_KINDS: readonly FieldKind[] = ["cumulus", "stratocumulus", "altocumulus", "cirrus"];

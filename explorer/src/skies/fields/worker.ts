@@ -16,7 +16,8 @@ export interface Asked {
   cover: number;
   seed: number;
   clear: ClearColours;
-  phases: Phases;
+  /** By what clouds are made of. */
+  phases: Record<string, Phases>;
   /** While the sun is dragged: coarse light and one coarse map alone. */
   moving: boolean;
 }
@@ -74,7 +75,7 @@ async function drawn(asked: Asked, cells: Cells, sizes: number[][], last: boolea
   if (await overtaken(asked)) return true;
   const lit = cells.under(heldUp(asked.clear.sun));
   if (await overtaken(asked)) return true;
-  const incident = new Incident(lit, asked.kind, clearLight(asked.clear, asked.kind), asked.phases);
+  const incident = new Incident(lit, asked.kind, clearLight(asked.clear, asked.kind), asked.phases[cells.field.numbers.particles]);
   const [rays, sun] = [new Rays(lit), sunShare(lit, asked.clear.sun)];
   for (const [n, [width, height]] of sizes.entries()) {
     const map = await mapOf(asked, incident, rays, sun, width, height);
