@@ -83,6 +83,16 @@ function doubled(cells: Float32Array, half: number, levels: number): Float32Arra
   return found;
 }
 
+/** Sweeps that bring a fluence near to what it is under a sun not far away. */
+const FEW = 4;
+
+/** A fluence moved toward that of another source. */
+export function moved(grid: Grid, diffusivity: Float32Array, source: Float32Array, fluence: Float32Array): Float32Array {
+  const found = fluence.slice();
+  relax(grid, diffusivity, source, 0, FEW, found);
+  return found;
+}
+
 /** The fluence, whose first guess is that of a grid twice as coarse. */
 export function spread(grid: Grid, diffusivity: Float32Array, source: Float32Array | null, top: number): Float32Array {
   const { side, levels, dx } = grid;

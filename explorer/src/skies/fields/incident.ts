@@ -12,18 +12,24 @@ const { views: VIEWS, angles: ANGLES, colours: COLOURS, earth: EARTH } = table;
 const LEVELS = 3;
 const PARTS = 5;
 
+/** The law that light scattered once seems to follow, in the colours of the sun at the cloud. */
+export function seemingLaw(kind: FieldKind, clear: ClearLight, phases: Phases): Float32Array {
+  const weights = clear.sun.map((value, w) => COLOURS[w].map((colour) => colour * value));
+  return seemingColours(phases, weights, table.kinds[kind].asymmetry ** 2);
+}
+
 export class Incident {
   private readonly tables = new Float64Array(VIEWS * LEVELS * PARTS * 3);
   /** Share of its light without cloud that the air below the field has. */
   private readonly shade: number[];
-  private readonly seeming: Float32Array;
   private readonly low: number;
   private readonly high: number;
 
-  constructor(readonly lit: Lit, kind: FieldKind, clear: ClearLight, phases: Phases) {
+  /** `seeming`: of `seemingLaw`. */
+  constructor(readonly lit: Lit, kind: FieldKind, clear: ClearLight, private readonly seeming: Float32Array) {
     const { base, thickness } = table.kinds[kind];
     [this.low, this.high] = [base, base + thickness];
-    const { budget, sun, cells } = lit;
+    const { budget, sun } = lit;
     const down = clear.sun.map((value, w) => {
       const came = clear.below[w] * sun[2] * budget.direct + value * budget.sun + clear.sky[w] * budget.sky;
       return came / (1 - clear.albedo * budget.back);
@@ -31,7 +37,6 @@ export class Incident {
     const whole = colourOf((w) => clear.sky[w]);
     const shaded = colourOf((w) => (clear.sky[w] * down[w]) / Math.max(clear.below[w] * sun[2] + clear.sky[w], 1e-30));
     this.shade = shaded.map((value, c) => value / (Math.abs(whole[c]) > 1e-30 ? whole[c] : 1));
-    this.seeming = seemingColours(phases, clear.sun.map((value, w) => COLOURS[w].map((colour) => colour * value)), cells.asymmetry ** 2);
     const lights = [clear.sun, clear.sky, down.map((value) => value * clear.albedo), clear.sun];
     for (let j = 0, at = 0; j < VIEWS; j++) {
       const mean = colourOf((w) => clear.mean[j][w]);

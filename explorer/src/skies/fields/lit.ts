@@ -2,7 +2,7 @@
 
 import table from "../../data/clouds.json";
 import type { Vec3 } from "../../core/vector";
-import { spread, type Grid } from "./diffusion";
+import { moved, spread, type Grid } from "./diffusion";
 import { between, type Field } from "./field";
 
 const { lowest: LOWEST, widths: WIDTHS, open: OPEN } = table;
@@ -60,12 +60,17 @@ export class Cells {
     return this.coarse.map((value) => 1 / (3 * Math.max((1 - this.asymmetry) * value, open)));
   }
 
-  /** The same under a sun. */
-  under(sun: Vec3): Lit {
-    const depths = this.depths(sun);
-    const ofSun = this.held(spread(this.grid, this.diffusivity(this.openToSun), this.source(sun, depths), 0));
+  /** The same under a sun; `moving`: that stands near to the one before, by few sweeps. */
+  under(sun: Vec3, moving = false): Lit {
+    const depths = this.depths(sun), diffusivity = this.diffusivity(this.openToSun), source = this.source(sun, depths);
+    const { last, grid } = this;
+    const ofSun = this.held(moving && last ? moved(grid, diffusivity, source, last) : spread(grid, diffusivity, source, 0));
+    this.last = ofSun;
     return new Lit(this, sun, depths, ofSun);
   }
+
+  /** Fluence of the sun before. */
+  private last: Float32Array | null = null;
 
   /** Optical depth, less the forward peak, from each cell's middle toward the sun, by slices from the top down. */
   private depths(sun: Vec3): Float32Array {

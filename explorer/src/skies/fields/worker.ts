@@ -2,7 +2,7 @@
 
 import { direction } from "../../core/vector";
 import { Field, Texture } from "./field";
-import { Incident } from "./incident";
+import { Incident, seemingLaw } from "./incident";
 import type { FieldKind } from "./kinds";
 import { Cells, heldUp } from "./lit";
 import { heightAt, type CloudMap } from "./map";
@@ -39,7 +39,7 @@ let working = false;
 
 /** What was made last, by what it was made from. */
 class Last<T> {
-  private key = "";
+  key = "";
   private value: T | null = null;
 
   of(key: string, make: () => T): T {
@@ -48,7 +48,7 @@ class Last<T> {
   }
 }
 
-const textures = new Last<Texture>(), fields = new Last<Field>(), coarse = new Last<Cells>(), fine = new Last<Cells>();
+const textures = new Last<Texture>(), fields = new Last<Field>(), coarse = new Last<Cells>(), fine = new Last<Cells>(), laws = new Last<Float32Array>();
 
 const pause = (): Promise<void> => new Promise((done) => setTimeout(done));
 
@@ -73,9 +73,13 @@ async function answer(asked: Asked): Promise<void> {
 /** Send maps of these sizes; true where something else is asked meanwhile. */
 async function drawn(asked: Asked, cells: Cells, sizes: number[][], last: boolean): Promise<boolean> {
   if (await overtaken(asked)) return true;
-  const lit = cells.under(heldUp(asked.clear.sun));
+  const { kind, moving } = asked;
+  const lit = cells.under(heldUp(asked.clear.sun), moving);
   if (await overtaken(asked)) return true;
-  const incident = new Incident(lit, asked.kind, clearLight(asked.clear, asked.kind), asked.phases[cells.field.numbers.particles]);
+  const clear = clearLight(asked.clear, kind), phases = asked.phases[cells.field.numbers.particles];
+  // its colours change little with the sun: while that moves, the law of before serves
+  const law = laws.of(moving && laws.key.startsWith(kind) ? laws.key : kind + clear.sun.join(), () => seemingLaw(kind, clear, phases));
+  const incident = new Incident(lit, kind, clear, law);
   const [rays, sun] = [new Rays(lit), sunShare(lit, asked.clear.sun)];
   for (const [n, [width, height]] of sizes.entries()) {
     const map = await mapOf(asked, incident, rays, sun, width, height);
