@@ -10,6 +10,8 @@ import type { ClearColours } from "./spectra";
 
 /** Least elevation of the sun, degrees, under which fields are drawn. */
 export const LOWEST_SUN = -6;
+/** Illuminance, lx, of a sun that is not seen. */
+const FAINT = 1e-3;
 /** Elevations, even in the root of the sine, and azimuths of a mean sky. */
 const [ROWS, AROUND] = [13, 12];
 
@@ -36,6 +38,7 @@ export function clearColours(sky: Sky, c: Pick<Conditions, "turbidity" | "albedo
 /** A clear sky with clouds before it. */
 export function withClouds(sky: Sky, clouds: CloudMap): Sky {
   if (sky.recipe.kind !== "fields") return sky;
-  const disc = sky.disc && { ...sky.disc, normal: scaled(sky.disc.normal, clouds.sun) };
+  const normal = sky.disc && scaled(sky.disc.normal, clouds.sun);
+  const disc = sky.disc && normal && normal[1] > FAINT ? { ...sky.disc, normal } : null;
   return { ...sky, recipe: { ...sky.recipe, clouds }, points: null, disc };
 }
