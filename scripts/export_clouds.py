@@ -18,7 +18,7 @@ from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.fields import field, incident, lit_field, march_kernel, scattering, shadows
-from skydome.skies.clouds.fields.kinds import Altocumulus, CloudKind, Cirrus, Cumulus, Stratocumulus
+from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 

@@ -22,7 +22,10 @@ SHOWN = {
     "dusk": (f"{TURIN}&time=21:50&model=physical&view=panorama&look=300", DESK),
     "night": (f"{TURIN}&date=2026-01-03&time=22:40&model=physical&theme=dark", DESK),
     "stars": (f"{TURIN}&date=2026-01-18&time=22:00&model=physical&turbidity=2&theme=dark&view=panorama&look=180", DESK),
-    "clouds": (f"{TURIN}&time=18:50&model=physical&turbidity=2.4&clouds=cumulus&clouded=0.4&seed=7&view=panorama&look=290", DESK),
+    "clouds": (
+        f"{TURIN}&time=18:50&model=physical&turbidity=2.4&clouds=cumulus&clouded=0.4&seed=7&view=panorama&look=290",
+        DESK,
+    ),
     "overcast": (f"{TURIN}&time=16:30&model=overcast&depth=3&view=panorama&look=250&theme=dark", DESK),
     "false": (f"{TURIN}&time=16:30&model=physical&show=luminance&theme=light", DESK),
     "compare": (f"{TURIN}&time=17:10&model=physical&beside=preetham&theme=light&wipe=0.5", DESK),

@@ -3,6 +3,8 @@
 import { azimuth, DEG, direction, elevation, scaled, sum, type Vec3 } from "../core/vector";
 import { modelNamed, MODELS, skyOf } from "../skies/catalogue";
 import type { Conditions, Model } from "../skies/model";
+import { isOpen, LOWEST_SUN, withClouds } from "../skies/fields/clear";
+import type { CloudMaker } from "../skies/fields/maker";
 import { diffuseXYZ, directXYZ } from "../skies/integral";
 import { xyzToward, zenithXYZ } from "../skies/light";
 import type { Hour } from "../skies/night/night";
@@ -61,6 +63,21 @@ export function sceneOf(state: State): Scene {
   const beside = state.beside ? modelNamed(state.beside) : undefined;
   const skies = [model, ...(beside ? [beside] : [])].map((each) => skyOf(each, conditions));
   return { state, utc, sun, distance, moon: state.sun ? null : moon, model, skies, wanting: [] };
+}
+
+const COMING = "clouds: finer ones are being made";
+const FAR = `clouds: drawn while the sun is above ${LOWEST_SUN} degrees; the command has them at every hour`;
+
+/** The scene with its clouds, as far as they are made; has others made where they must change. */
+export function cloudedScene(scene: Scene, maker: CloudMaker, moving: boolean): Scene {
+  const { state, sun, distance } = scene;
+  if (!state.clouds) maker.forget();
+  const open = state.clouds ? scene.skies.find(isOpen) : undefined;
+  if (!open || !state.clouds) return state.clouds && scene.model.name === "physical" ? { ...scene, wanting: [FAR] } : scene;
+  maker.ask({ kind: state.clouds, cover: state.clouded, seed: state.seed }, open, conditionsOf(state, sun, distance), moving);
+  const { map } = maker;
+  const skies = map ? scene.skies.map((sky) => (isOpen(sky) ? withClouds(sky, map) : sky)) : scene.skies;
+  return { ...scene, skies, wanting: maker.settled ? [] : [COMING] };
 }
 
 /** The numbers of a sky: Y in cd m-2 in the zenith, else lx on the horizontal. */
