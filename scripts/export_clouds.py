@@ -46,9 +46,10 @@ def numbers_of(kind: CloudKind) -> dict[str, Any]:
 
 
 def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray]:
-    """Vertical columns of molecules, haze and ozone between the eye and the heights of a kind, (VIEWS, LEVELS, 3); and of
-    suns at `STANDING`, as seen from its middle, the share that the ground leaves, and columns of these and of the
-    stratosphere's haze, (SUNS, 5).
+    """Vertical columns of molecules, haze and ozone between the eye and the heights of a kind, (VIEWS, LEVELS, 3).
+
+    And of suns at `STANDING`, as seen from its middle, the share that the ground leaves, and columns of these and of
+    the stratosphere's haze, (SUNS, 5).
     """
     tables, radius = ColumnTables.of(air), air.radius
     heights = np.linspace(kind.base, kind.base + kind.thickness, LEVELS)
