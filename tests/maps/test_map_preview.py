@@ -65,7 +65,13 @@ def test_exposure_does_not_follow_sun_or_black_ground():
     assert auto_exposure(landscape(1.6e9, 1e-9).luminance(), angles) == pytest.approx(plain, rel=0.01)
     assert plain == pytest.approx(0.18 / landscape(0, 0).luminance()[0, 0], rel=0.01)
     assert auto_exposure(np.zeros((4, 8))) == 1.0
-    assert auto_exposure(landscape(1e9, 0).luminance() * 1e-6, angles) == pytest.approx(plain * 1e6, rel=0.01)
+    assert auto_exposure(landscape(1e9, 0).luminance() * 1e-4, angles) == pytest.approx(plain * 1e4, rel=0.01)
+
+
+def test_pictures_of_nights_are_darker_by_their_content():
+    """A moonless night by two stops, a moonlit one by one, dusk not at all."""
+    stops = [np.log2(auto_exposure(np.full((4, 8), light)) * light / 0.18) for light in (3e-4, 3e-3, 0.1, 5e3)]
+    np.testing.assert_allclose(stops, [-2.1, -1.3, 0.0, 0.0], atol=0.05)
 
 
 def test_png_file_is_the_preview(tmp_path):

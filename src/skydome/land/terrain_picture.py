@@ -25,7 +25,7 @@ class TerrainPicture:
     depth: np.ndarray
 
     def exposure(self) -> float:
-        """The factor that brings the usual luminance to middle grey."""
+        """The factor that brings the usual luminance to its key."""
         return auto_exposure(np.maximum(self.rgb, 0) @ np.asarray(SRGB.to_xyz[1]))
 
     def encoded(self, exposure: float | None = None, curve: Curve | None = None) -> np.ndarray:

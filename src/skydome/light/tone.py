@@ -10,6 +10,12 @@ from numpy.typing import ArrayLike
 from skydome.ground.limits.ranges import Bounded, Range
 
 MIDDLE_GREY = 0.18
+DUSK, KEY_FALLS = 0.1, 0.25
+"""Usual luminance, cd m-2, below which a picture is darker than middle grey, and by which power of it.
+
+So that nights look like nights: a moonless one of .0003 cd m-2 two stops darker, one of a full moon one. Keys that fall
+with adaptation are Krawczyk et al. 2005's idea (theirs falls by 2.6 stops, most of it in dusk); this law is by eye.
+"""
 EXPOSURE = Range(1e-15, 1e9, "per cd m-2")
 """From beyond all light, 50 EV, to far below the darkest night, -30 EV."""
 BLEACH = 4.0  # peak value at which a colour has lost a quarter of its saturation
@@ -75,10 +81,19 @@ def tone_mapped(rgb: np.ndarray, curve: Curve) -> np.ndarray:
     return shown
 
 
-def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float:
-    """Factor that brings the scene's usual luminance, its logarithmic mean, to middle grey (Reinhard 2002, eq. 1).
+def key(luminance: float) -> float:
+    """What a usual luminance, cd m-2, is brought to in a picture: middle grey, and less below `DUSK`.
 
-    `luminance` (H, W) counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of the
+    >>> [round(key(light), 3) for light in (5000.0, 0.1, 0.1 / 256)]
+    [0.18, 0.18, 0.045]
+    """
+    return MIDDLE_GREY * min(1.0, (luminance / DUSK) ** KEY_FALLS)
+
+
+def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float:
+    """Factor that brings the scene's usual luminance, its logarithmic mean, to its `key` (Reinhard 2002, eq. 1).
+
+    `luminance` (H, W), cd m-2, counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of the
     brightest tenth (black ground), and the brightest hundredth of the solid angle (the sun). 1 where all is black.
 
     >>> round(auto_exposure(np.array([[0.0, 2000.0, 2000.0, 1.6e9]]), [1.0, 1.0, 1.0, 1e-5]) * 2000, 9)
@@ -95,7 +110,8 @@ def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float
     usual = values >= at_share(values, weights, 0.9) / 1000
     values, weights = values[usual], weights[usual]
     usual = values <= at_share(values, weights, 0.99)
-    return MIDDLE_GREY / float(np.exp(np.average(np.log(values[usual]), weights=weights[usual])))
+    mean = float(np.exp(np.average(np.log(values[usual]), weights=weights[usual])))
+    return key(mean) / mean
 
 
 def thinning(size: int) -> int:

@@ -45,7 +45,7 @@ def preview_rows(
 
 
 def usual_exposure(source: MapRows) -> float:
-    """The factor, per cd m-2, that brings a map's usual luminance to middle grey (see `auto_exposure`)."""
+    """The factor, per cd m-2, that brings a map's usual luminance to its key (see `auto_exposure`)."""
     rows, columns = source.size
     step = thinning(rows * columns)
     weights = (source.space.to_xyz[1] * source.white_luminance).astype(source.pixel_type)
