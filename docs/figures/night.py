@@ -39,7 +39,7 @@ def dome(place: sd.Place, time: str, lamp: str | None) -> Image.Image:
     whole = sd.sky_at(place, time)
     picture = sd.render(whole, SIZE, projection=sd.Fisheye())
     angles = np.broadcast_to(picture.projection.solid_angles(SIZE), picture.pixels.shape[:2])
-    image = Image.fromarray(shown(picture.pixels, 0.6 * auto_exposure(picture.luminance(), angles)))
+    image = Image.fromarray(shown(picture.pixels, auto_exposure(picture.luminance(), angles)))
     if lamp is not None:
         image.paste(disc(whole[lamp]), (SIZE - INSET, SIZE - INSET))
     return image

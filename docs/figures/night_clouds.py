@@ -11,11 +11,11 @@ from skydome.maps.showing.preview import preview
 SIZE, PLACE = 360, sd.Place(45.0, 8.0)
 HEAPS = sd.CloudField(sd.Cumulus(), cover=0.4, seed=7)
 HOURS = (
-    ("cumulus, full moon at 40 degrees", "2026-01-04T01:20Z", HEAPS),
-    ("altocumulus, full moon at 62", "2026-01-03T22:00Z", sd.CloudField(sd.Altocumulus(), cover=0.5, seed=3)),
+    ("cumulus, full moon at 41 degrees", "2026-01-04T04:00Z", HEAPS),
+    ("altocumulus, full moon at 58", "2026-01-03T22:00Z", sd.CloudField(sd.Altocumulus(), cover=0.5, seed=3)),
     ("cumulus, no moon", "2026-01-18T22:00Z", sd.CloudField(sd.Cumulus(), cover=0.5, seed=7)),
-    ("cirrus, sun at -2.8", "2026-01-18T16:28Z", sd.CloudField(sd.Cirrus(), cover=0.5, seed=3)),
-    ("cirrus, sun at -4.0", "2026-01-18T16:36Z", sd.CloudField(sd.Cirrus(), cover=0.5, seed=3)),
+    ("cirrus, sun at -2.7", "2026-01-18T16:28Z", sd.CloudField(sd.Cirrus(), cover=0.5, seed=3)),
+    ("cirrus, sun at -3.9", "2026-01-18T16:36Z", sd.CloudField(sd.Cirrus(), cover=0.5, seed=3)),
     ("stratocumulus, sun at -8.5", "2026-01-18T17:04Z", sd.CloudField(sd.Stratocumulus(), cover=0.6, seed=2)),
 )
 

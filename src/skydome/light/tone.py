@@ -87,14 +87,14 @@ def key(luminance: float) -> float:
     >>> [round(key(light), 3) for light in (5000.0, 0.1, 0.1 / 256)]
     [0.18, 0.18, 0.045]
     """
-    return MIDDLE_GREY * min(1.0, (luminance / DUSK) ** KEY_FALLS)
+    return float(MIDDLE_GREY * min(1.0, (luminance / DUSK) ** KEY_FALLS))
 
 
 def auto_exposure(luminance: np.ndarray, solid_angles: ArrayLike = 1.0) -> float:
     """Factor that brings the scene's usual luminance, its logarithmic mean, to its `key` (Reinhard 2002, eq. 1).
 
-    `luminance` (H, W), cd m-2, counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of the
-    brightest tenth (black ground), and the brightest hundredth of the solid angle (the sun). 1 where all is black.
+    `luminance` (H, W), cd m-2, counts by `solid_angles` (broadcast). Left out: what is black or below a thousandth of
+    the brightest tenth (black ground), and the brightest hundredth of the solid angle (the sun). 1 where all is black.
 
     >>> round(auto_exposure(np.array([[0.0, 2000.0, 2000.0, 1.6e9]]), [1.0, 1.0, 1.0, 1e-5]) * 2000, 9)
     0.18
