@@ -103,6 +103,9 @@ def test_a_night_turns_before_clouds_come_over_it():
     np.testing.assert_allclose(turned.xyz(ahead), plain.xyz(VIEWS), rtol=1e-3)
     with pytest.raises(TypeError, match="turn the clear sky, then put clouds over it"):
         plain.turned(1.0)
+    assert plain.parameters()["clouds"].startswith("slab, cover 1.00")
+    with pytest.raises(ValueError, match="stand over that sky already: slab"):
+        plain.below(20.0)
     with pytest.raises(ValueError, match="must not be given together"):
         sd.sky_at(PLACE, FULL, clouds=slab(2.0), glow=sd.SkyGlow())
 

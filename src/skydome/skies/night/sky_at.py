@@ -39,10 +39,12 @@ class WholeSky(SpectralCombination):
 
     names: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    clouds: str | None = None
 
     def parameters(self) -> dict[str, Any]:
-        """Class name and parts: the provenance that maps carry."""
-        return {"model": type(self).__name__, "parts": ", ".join(self.names)}
+        """Class name, parts and clouds: the provenance that maps carry."""
+        over = {} if self.clouds is None else {"clouds": self.clouds}
+        return {"model": type(self).__name__, "parts": ", ".join(self.names)} | over
 
     def __getitem__(self, name: str) -> SpectralSky:
         """The sky of a name alone; KeyError for one that is not there at this hour."""
@@ -59,11 +61,15 @@ class WholeSky(SpectralCombination):
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
 
     def below(self, clouds: Any, air: Atmosphere | None = None) -> "WholeSky":
-        """The same with clouds over the place, as `sky_at` takes them, in the `air` of the parts."""
+        """The same with clouds over the place, as `sky_at` takes them, in the `air` of the parts; ValueError for two."""
+        if self.clouds is not None and clouds is not None:
+            raise ValueError(f"clouds stand over that sky already: {self.clouds}")
         over = clouds_over(clouds)
         parts = over.before(dict(zip(self.names, self.members, strict=True)), air_of(air))
-        said = () if over.note is None else (over.note,)
-        return replace(self, members=tuple(parts.values()), notes=(*self.notes, *said))
+        if over.words is None:
+            return self
+        notes = (*self.notes, f"clouds: {over.words}")
+        return replace(self, members=tuple(parts.values()), notes=notes, clouds=over.words)
 
     def turned(self, north: float) -> "WholeSky":
         """The same for a scene whose own north points `north` radians clockwise of true north.

@@ -21,7 +21,8 @@ BEAMS = ("moonlight", "sky")
 class Over(ABC):
     """What stands over the place."""
 
-    note: str | None = None
+    words: str | None = None
+    """What it is; None for nothing."""
 
     @abstractmethod
     def before(self, parts: Parts, air: Atmosphere) -> Parts:
@@ -44,9 +45,9 @@ class OvercastAbove(Over):
     cloud: Cloud
 
     @property
-    def note(self) -> str:  # type: ignore[override]
+    def words(self) -> str:  # type: ignore[override]
         """How thick it is."""
-        return f"clouds: an overcast of optical depth {float(self.cloud.optical_depth):g}; no disc and no star is seen"
+        return f"an overcast of optical depth {float(self.cloud.optical_depth):g}; no disc and no star is seen"
 
     def before(self, parts: Parts, air: Atmosphere) -> Parts:
         """Each part's light spread."""
@@ -60,10 +61,10 @@ class FieldAbove(Over):
     field: CloudField
 
     @property
-    def note(self) -> str:  # type: ignore[override]
+    def words(self) -> str:  # type: ignore[override]
         """What it is."""
         f = self.field
-        return f"clouds: {f.kind.name}, cover {f.cover:.2f}, {f.base:.0f} to {f.top:.0f} m, seed {f.seed}"
+        return f"{f.kind.name}, cover {f.cover:.2f}, {f.base:.0f} to {f.top:.0f} m, seed {f.seed}"
 
     def before(self, parts: Parts, air: Atmosphere) -> Parts:
         """Each part behind the field; those without a beam share its rays with the moon's, or the sun's."""
