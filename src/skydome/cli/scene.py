@@ -56,6 +56,7 @@ def scene_of(options: SkyOptions, north: float = 0.0, any_hour: bool = False) ->
     sky, notes = build(model, moment, options)
     sky, dimmed = under_eclipse(sky, true)
     clouds = None if asked.clouds is None else with_clouds(sky, asked)
+    notes = notes if clouds is None else clouds.remarks(notes)
     coloured, disc, more = with_sun(model, sky, moment, options, clouds)
     overcast, mixed = (None, []) if options.blend_overcast is None else overcast_for(moment, options)
     whole = coloured if disc is None else coloured + disc

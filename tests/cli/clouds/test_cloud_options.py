@@ -34,6 +34,9 @@ def test_the_clouds_are_those_asked_for():
         ((*SUN, "--clouds", "cumulus", "--model", "preetham"), "--clouds stand in the physical sky"),
         ((*MEASURED, "--dni", 400), "need both --dni and --dhi"),
         ((*MEASURED, "--dni", 400, "--dhi", 200, "--cover", 0.4), "--cover is found from --dni and --dhi"),
+        ((*MEASURED, "--dni", 400, "--dhi", 200, "--turbidity", 4), "--turbidity is found from --dni and --dhi"),
+        ((*MEASURED, "--set", "base=20"), "base must lie in [50, 20000] m, got 20"),
+        ((*MEASURED, "--set", "glow=2"), "physical has no parameter for --set, got 'glow'"),
         ((*MEASURED, "--dni", 1500, "--dhi", 100), "dni must lie in [0, 136"),
         ((*MEASURED, "--dni", 0, "--dhi", 0), "dhi must be 1 W m-2 or more"),
         ((*MEASURED, "--dni", 1200, "--dhi", 50), "through the clearest air here, got 1200"),
@@ -48,6 +51,24 @@ def test_bad_options_are_one_line(refused, tmp_path, options, told):
 def test_a_shader_has_no_clouds(refused, tmp_path):
     asked = ("shader", *SUN, "--model", "physical", "--clouds", "cumulus", "-o", tmp_path / "sky.glsl")
     assert "--clouds have no shader of their own: give --basis" in refused(*asked)
+
+
+def test_what_measured_light_was_made_of_is_told():
+    scene = scene_of(
+        SkyOptions(
+            sun="200,40",
+            clouds="stratocumulus",
+            set=["base=600", "thickness=300"],
+            direct_normal_irradiance=0.0,
+            diffuse_horizontal_irradiance=150.0,
+        )
+    )
+    air = scene.sky.members[0].clear.atmosphere
+    haze = sum(part.optical_depth for part in air.constituents if isinstance(part, sd.Aerosol))
+    assert [note for note in scene.notes if note.startswith("air:")] == [
+        f"air: found for that light, an aerosol depth of {haze:.3f} at 550 nm, ozone 330 DU"
+    ]
+    assert (scene.clouds.field.base, scene.clouds.field.top) == (600.0, 900.0)
 
 
 @pytest.mark.parametrize("command", ["daylight", "glare", "year", "explore", "sun", "convert"])

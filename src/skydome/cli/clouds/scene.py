@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from skydome.cli.clouds.kinds import kind_named
 from skydome.cli.doors import progress
 from skydome.cli.moment import aware_time
-from skydome.cli.options import SkyOptions, numbers
+from skydome.cli.options import SkyOptions, numbers, set_by_name
 from skydome.ground.extras import required
 
 if TYPE_CHECKING:
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 USUAL_COVER = 0.4
 REPEATS = 3000
 """Periods of the field after which one that drifts by the clock is where it was, its fine detail too."""
+OF_FIELDS = ("base", "thickness", "extinction")
+"""What --set takes of a field of cloud, beside its options."""
 
 
 def without_clouds(options: SkyOptions) -> SkyOptions:
@@ -29,10 +31,13 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
     measured = (options.direct_normal_irradiance, options.diffuse_horizontal_irradiance)
     if (measured[0] is None) != (measured[1] is None):
         raise ValueError("clouds with measured light need both --dni and --dhi, W m-2")
-    if measured[0] is not None and options.cover is not None:
-        raise ValueError("--cover is found from --dni and --dhi: give it, or them")
+    found = {"--cover": options.cover, "--turbidity": options.turbidity, "--visibility": options.visibility}
+    for name, value in found.items():
+        if measured[0] is not None and value is not None:
+            raise ValueError(f"{name} is found from --dni and --dhi: give it, or them")
     return replace(
         options,
+        set=[text for text in options.set or () if text.partition("=")[0] not in OF_FIELDS] or None,
         clouds=None,
         cover=None,
         cloud_seed=None,
@@ -44,13 +49,21 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
 
 @dataclass(frozen=True)
 class Clouded:
-    """A `sky` with the clouds of a `field`, the sun's `disc` as they leave it, the clear one, what was decided."""
+    """A `sky` with the clouds of a `field`, the sun's `disc` as they leave it, the clear one, what was decided.
+
+    `air`: what its air is, where that was found with the clouds.
+    """
 
     sky: Any
     disc: Any
     field: "CloudField"
     clear_disc: Any
     notes: list[str]
+    air: str | None = None
+
+    def remarks(self, remarks: list[str]) -> list[str]:
+        """Remarks on the clear sky, the air's first."""
+        return remarks if self.air is None else [self.air, *remarks[1:]]
 
 
 def field_of(options: SkyOptions) -> "CloudField":
@@ -59,8 +72,9 @@ def field_of(options: SkyOptions) -> "CloudField":
 
     required("numba", "fast", "--clouds")
     seed = 0 if options.cloud_seed is None else options.cloud_seed
+    shape: dict[str, Any] = {name: value for name, value in set_by_name(options.set).items() if name in OF_FIELDS}
     cover = USUAL_COVER if options.cover is None else options.cover
-    field = sd.CloudField(kind_named(str(options.clouds)), cover=cover, seed=seed)
+    field = sd.CloudField(kind_named(str(options.clouds)), cover=cover, seed=seed, **shape)
     return field if options.wind is None else drifted(field, options)
 
 
@@ -96,7 +110,17 @@ def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
         found = sd.clouds_for(dni, dhi, clear.toward, field, clear.atmosphere)
     scale = f"light: {dni:g} direct normal, {dhi:g} W m-2 diffuse; the last factors were"
     notes = [told(found.field), f"{scale} {found.direct_factor:.3f} and {found.diffuse_factor:.3f}"]
-    return Clouded(found.sky, found.disc, found.field, sd.SunDisc.of(found.cloudy.clear), notes)
+    clear_disc = sd.SunDisc.of(found.cloudy.clear)
+    return Clouded(found.sky, found.disc, found.field, clear_disc, notes, air_of(found.cloudy.clear.atmosphere))
+
+
+def air_of(air: Any) -> str:
+    """A line on the air that was found."""
+    from skydome.air.constituents import Aerosol, Ozone
+
+    haze = sum(part.optical_depth for part in air.constituents if isinstance(part, Aerosol))
+    ozone = sum(part.column for part in air.constituents if isinstance(part, Ozone))
+    return f"air: found for that light, an aerosol depth of {haze:.3f} at 550 nm, ozone {ozone:g} DU"
 
 
 def told(field: "CloudField") -> str:

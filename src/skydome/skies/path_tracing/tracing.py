@@ -9,7 +9,9 @@ import numpy as np
 
 from skydome.ground.arrays import Array
 from skydome.ground.files.reading import arrays_in
+from skydome.ground.limits.ranges import Range, require, require_one
 
+PASSES = Range(0, 1 << 40)
 MOST_BYTES = 1 << 30
 """Of a stored tracing."""
 
@@ -65,8 +67,10 @@ class Tracing:
 
     def more(self, passes: int = 1) -> "Tracing":
         """With further passes traced, numbered on from the last."""
+        require("passes", passes, PASSES)
+        require_one("passes", passes, whole=True)
         found = self
-        for number in range(max(self.passes, default=-1) + 1, max(self.passes, default=-1) + 1 + passes):
+        for number in range(max(self.passes, default=-1) + 1, max(self.passes, default=-1) + 1 + int(passes)):
             found = found.merged(Tracing(self.job, (number,), self.job.one_pass(number), np.zeros_like(self.mean)))
         return found
 

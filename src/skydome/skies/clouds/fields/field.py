@@ -8,7 +8,7 @@ import numpy as np
 
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import brief
-from skydome.ground.limits.ranges import SEED, SHARE, Bounded, Range
+from skydome.ground.limits.ranges import FINITE, SEED, SHARE, Bounded, Range, require, require_one
 from skydome.skies.clouds.fields.kinds import CloudKind, Cumulus, ramp
 from skydome.skies.clouds.fields.noise import cells
 from skydome.skies.clouds.fields.thickening import NONE, Column, Thickening, thickened
@@ -20,6 +20,7 @@ MET = 0.08
 CLOSED = 0.3
 """How far under the thinnest place the threshold of a whole cover lies: no holes."""
 SPEED = Range(-200.0, 200.0, "m s-1")
+METRES = Range(-1e9, 1e9, "m")
 
 
 class Medium(NamedTuple):
@@ -80,7 +81,7 @@ class CloudField(Bounded):
         "extinction": Range(0.0, 1.0, "m-1"),
         "seed": SEED,
         "wind": SPEED,
-        "place": Range(-1e9, 1e9, "m"),
+        "place": METRES,
     }
 
     def __post_init__(self) -> None:
@@ -95,6 +96,8 @@ class CloudField(Bounded):
 
     def later(self, seconds: float) -> Self:
         """The field after so many seconds of wind."""
+        require("seconds", seconds, FINITE)
+        require_one("seconds", seconds)
         east, north = (p - w * seconds for p, w in zip(self.place, self.wind, strict=True))
         return replace(self, place=(east, north))
 
@@ -138,7 +141,10 @@ class CloudField(Bounded):
         >>> float(CloudField(Cumulus(), cover=1.0).extinction_at([0.0, 0.0, 100.0]))
         0.0
         """
+        require("points", points, METRES)
         m, points = self.medium, np.asarray(points, np.float64)
+        if points.shape[-1:] != (3,):
+            raise ValueError(f"points must have shape (..., 3), got {points.shape}")
         x, y, z = (points + np.array([m.east, m.north, -m.base])).reshape(-1, 3).T
         height = z / m.thickness
         place = height * len(m.profile) - 0.5

@@ -19,6 +19,8 @@ Period = tuple[int, int, int]
 """Places after which a lattice repeats, to east, north and up."""
 ENDLESS = 1 << 20
 """A period upward that no cloud reaches."""
+SEEDS = 1 << 63
+"""Seeds, and what kinds make of them, count up to here, and from 0 again."""
 FEW = 1 << 12
 """Up to so many points NumPy is as quick as a compiler's import."""
 POINTS_PER_PIECE = 1 << 12
@@ -93,12 +95,12 @@ def cells(points: np.ndarray, period: Period, seed: int) -> Array:
 
 def chosen(readable: Callable[..., Any], name: str, points: np.ndarray, period: Period, seed: int) -> Any:
     """By NumPy, or compiled where there are many points and a compiler."""
-    flat = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+    flat, seed = np.ascontiguousarray(points, np.float64).reshape(-1, 3), int(seed) % SEEDS
     if len(flat) <= FEW or not has_numba():
         return readable(flat, period, seed).reshape(np.shape(points)[:-1])
     from skydome.skies.clouds.fields import noise_kernel
 
     out = np.empty(len(flat))
-    given = (flat, *map(int, period), int(seed), out)
+    given = (flat, *map(int, period), seed, out)
     shared(getattr(noise_kernel, name), len(flat), len(flat), given, POINTS_PER_PIECE)
     return out.reshape(np.shape(points)[:-1])

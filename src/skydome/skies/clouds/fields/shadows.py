@@ -7,15 +7,16 @@ import numpy as np
 
 from skydome.ground.arguments import require_kind
 from skydome.ground.compiled import shared
-from skydome.ground.directions import checked_directions, tangent_frame
+from skydome.ground.directions import checked_directions, tangent_frame, unit
 from skydome.ground.extras import required
-from skydome.ground.limits.ranges import Range, require
+from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 POINTS = 12
 """Points of the sun's disc, which blur the shadows' edges."""
 LEAST_SINE = 0.005
+"""Sine of the elevation below which a sun that is up stands before the clouds as one there."""
 PLACES_PER_PIECE = 1 << 9
 METRES = Range(-1e7, 1e7, "m")
 
@@ -31,10 +32,13 @@ def sun_share(field: CloudField, sun: Any, places: Any, points: int = POINTS) ->
 
     require_kind(field, CloudField, "field", "CloudField(cover=0.4)")
     sun = np.asarray(checked_directions(np.asarray(sun, np.float64), "sun"))
+    if sun.shape != (3,):
+        raise ValueError(f"sun must be one direction of shape (3,), got shape {sun.shape}")
     require("places", places, METRES)
     flat = np.asarray(places, np.float64).reshape(-1, 3)
-    if sun[2] < LEAST_SINE or field.cover <= 0:
+    if sun[2] <= 0 or field.cover <= 0:
         return np.full(np.shape(places)[:-1], float(sun[2] > 0))
+    sun = unit(np.append(sun[:2], max(sun[2], LEAST_SINE)))
     k = np.arange(points)
     spread, turn = np.sqrt((k + 0.5) / points) * np.tan(MEAN_RADIUS), k * np.pi * (3 - np.sqrt(5.0))
     across, upward = tangent_frame(sun)
@@ -70,6 +74,7 @@ class ShadowMap:
         """Of a square `width` m wide of `count` places a side, with the eye's foot in its middle."""
         require("width", width, Range(1.0, 1e6, "m"))
         require("count", count, Range(1, 1 << 13))
+        require_one("count", count, whole=True)
         along = ((np.arange(count) + 0.5) / count - 0.5) * width
         east, north = np.meshgrid(along, along[::-1])
         return cls(sun_share(field, sun, np.stack([east, north, 0 * east], axis=-1)), width / count)
