@@ -61,7 +61,7 @@ class WholeSky(SpectralCombination):
         return replace(self, members=skies, weights=(1.0,) * len(skies), names=tuple(name for name, _ in kept))
 
     def below(self, clouds: Any, air: Atmosphere | None = None) -> "WholeSky":
-        """The same with clouds over the place, as `sky_at` takes them, in the `air` of the parts; ValueError for two."""
+        """The same with clouds over the place, as `sky_at` takes them, in the `air` of the parts."""
         if self.clouds is not None and clouds is not None:
             raise ValueError(f"clouds stand over that sky already: {self.clouds}")
         over = clouds_over(clouds)
