@@ -9,7 +9,7 @@ import skydome as sd
 from skydome.maps.showing.preview import preview
 
 SIZE, PLACE = 360, sd.Place(45.0, 8.0)
-HEAPS = sd.CloudField(sd.Cumulus(), cover=0.4, seed=7)
+HEAPS = sd.CloudField(sd.Cumulus(), cover=0.4, seed=7, place=(2500.0, 0.0))
 HOURS = (
     ("cumulus, full moon at 41 degrees", "2026-01-04T04:00Z", HEAPS),
     ("altocumulus, full moon at 58", "2026-01-03T22:00Z", sd.CloudField(sd.Altocumulus(), cover=0.5, seed=3)),
