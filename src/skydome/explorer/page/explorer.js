@@ -380,7 +380,7 @@ vec3 of_glow(vec3 d) {
 }
 vec3 behind_clouds(vec3 light, vec3 d) {
     float high = 0.5 * PI - skydome_angle(0.5 * (1.0 - clamp(d.z, 0.0, 1.0)));
-    vec2 place = vec2(atan(d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1/Ce).toFixed(9)}));
+    vec2 place = vec2(atan(abs(d.x) < 1.0e-6 ? 1.0e-6 : d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1/Ce).toFixed(9)}));
     return light * texture(clouds_left, place).rgb + texture(clouds_added, place).rgb;
 }
 vec3 sky_xyz(vec3 d) {
