@@ -340,6 +340,10 @@ float lobe(float a, float b, float g, float away, float squared) {
     float gap = (1.0 - g) * (1.0 - g) + 2.0 * g * away;
     return (a + b * squared) / (gap * sqrt(gap));
 }
+/* The angle whose tangent is across / along: some drivers have another where nothing is across. */
+float bearing(float across, float along) {
+    return atan(abs(across) < 1.0e-6 ? 1.0e-6 : across, along);
+}
 vec3 cell(sampler2D grid, int row, int turn, vec4 shapes) {
     vec3 light = vec3(0.0);
     for (int k = 0; k < 4; k++) light += shapes[k] * texelFetch(grid, ivec2(4 * turn + k, row), 0).rgb;
@@ -349,7 +353,7 @@ vec3 taps(sampler2D grid, vec3 seen, vec3 d, vec4 shapes) {
     float up = clamp(d.z, ${e.leastCosine.toFixed(6)}, 1.0);
     float row = sqrt(max(0.0, 1.0 - skydome_angle(0.5 * (1.0 - up)) / ${Math.acos(e.leastCosine).toFixed(9)})) * ${128 .toFixed(1)};
     float level = d.x * seen.x + d.y * seen.y;
-    float turn = atan(abs(d.x * seen.y - d.y * seen.x), level) / PI * ${90 .toFixed(1)};
+    float turn = bearing(abs(d.x * seen.y - d.y * seen.x), level) / PI * ${90 .toFixed(1)};
     int i = int(min(floor(row), ${127 .toFixed(1)})), j = int(min(floor(turn), ${89 .toFixed(1)}));
     float a = row - float(i), b = turn - float(j);
     return mix(mix(cell(grid, i, j, shapes), cell(grid, i, j + 1, shapes), b), mix(cell(grid, i + 1, j, shapes), cell(grid, i + 1, j + 1, shapes), b), a);
@@ -372,7 +376,7 @@ vec3 of_layer(vec3 d) {
 vec3 of_glow(vec3 d) {
     float high = 0.5 * PI - skydome_angle(0.5 * (1.0 - clamp(d.z, 0.0, 1.0)));
     float row = pow(max(high, 0.0) / (0.5 * PI), 1.0 / 3.0) * ${(j-1).toFixed(1)};
-    float column = mod(atan(d.x, d.y), 2.0 * PI) / (2.0 * PI) * ${96 .toFixed(1)};
+    float column = mod(bearing(d.x, d.y), 2.0 * PI) / (2.0 * PI) * ${96 .toFixed(1)};
     int i = int(min(floor(row), ${(j-2).toFixed(1)})), j = int(min(floor(column), ${95 .toFixed(1)}));
     float a = row - float(i), b = column - float(j);
     vec3 upper = mix(texelFetch(glow_grid, ivec2(j, i), 0).rgb, texelFetch(glow_grid, ivec2(j + 1, i), 0).rgb, b);
@@ -380,7 +384,7 @@ vec3 of_glow(vec3 d) {
 }
 vec3 behind_clouds(vec3 light, vec3 d) {
     float high = 0.5 * PI - skydome_angle(0.5 * (1.0 - clamp(d.z, 0.0, 1.0)));
-    vec2 place = vec2(atan(abs(d.x) < 1.0e-6 ? 1.0e-6 : d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1/Ce).toFixed(9)}));
+    vec2 place = vec2(bearing(d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1/Ce).toFixed(9)}));
     return light * texture(clouds_left, place).rgb + texture(clouds_added, place).rgb;
 }
 vec3 sky_xyz(vec3 d) {
