@@ -1,9 +1,9 @@
-"""A field of cloud under its lights: depths toward the sun, and diffused light of sun, sky and ground.
+"""A field of cloud under its lights: depths toward the sun, and scattered light of sun, sky and ground.
 
 Fast form. Light scattered once is found along the ray with the true phase function, the forward peak taken out of the
 optical depths (Nakajima and Tanaka 1988, the TMS method; delta-Eddington, Joseph et al. 1976). All higher orders are
-diffusion in three dimensions over a coarse grid: -div(D grad fluence) = source, D = 1 / (3 (1 - g) extinction). Cloud
-that absorbs dims it as a whole, by what one such diffusion loses.
+discrete ordinates in three dimensions over a coarse grid (`transport`), of which fluence and flux are read. Cloud that
+absorbs dims them as a whole, by what one such transport loses.
 """
 
 from dataclasses import dataclass, replace
@@ -17,18 +17,18 @@ from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
+from skydome.skies.clouds.fields.transport.ordinates import Ordinates
 
 LOWEST = 0.01
 """Sine of the elevation of the lowest sun whose shadows are let down."""
 FARTHEST = 400_000.0
 """How far cloud is sought, m."""
-OPEN_TO_SUN, OPEN_TO_SKY = 600.0, 4.0
-"""The transport length of empty air is, in the diffusion of sunlight, the root of this (m) times cover times thickness,
-and in that of light from sky and ground so many thicknesses. Fitted to paths traced (docs/clouds.md)."""
-SWEEPS, OVER, FEWEST = 16, 1.7, 8
-"""Sweeps on each grid, how far beyond, and cells along a side of the coarsest grid, at most."""
+FINE, MOST_LEVELS = 4.0, 96
+"""Steps along the sun's rays, in places of fine detail, and how many there are at most."""
 LOST, TRIFLE, LEAST = 0.02, 1e-4, 1e-9
-"""Share absorbed in the diffusion that tells how cloud absorbs; a share that is nothing; a flux that is."""
+"""Share absorbed where it is told how cloud absorbs; a share that is nothing; a flux that is."""
+WIDE = 8
+"""Places of the shape along a side of the cells in which that is told."""
 RAYS_PER_PIECE = 1 << 8
 WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
 """Gaps that are told apart, in heights of a cell."""
@@ -95,74 +95,62 @@ class LitField:
         return found
 
     @cached_property
-    def sun_depths(self) -> np.ndarray:
-        """Optical depth from each cell toward the sun, less the forward peak."""
-        from skydome.skies.clouds.fields.medium_kernel import depths_toward_sun
+    def beams(self) -> tuple[np.ndarray, np.ndarray]:
+        """Scaled optical depth toward the sun along its rays (north, east, up), and the share of the sunlight that
+        meets the cloud of each cell, alike, float32. `medium_kernel.beams` tells where they lie.
+        """
+        from skydome.skies.clouds.fields.medium_kernel import beams
 
-        out = np.zeros_like(self.coarse)
-        depths_toward_sun(np.float32(self.coarse * self.kept), *self.steps, self.sun, out)
-        return out
+        kind, (dx, _) = self.field.kind, self.steps
+        levels = min(ceil(self.field.thickness / self.sun[2] / (FINE * kind.detail)), MOST_LEVELS)
+        depths = np.empty((kind.count, kind.count, max(levels, kind.levels) + 1), np.float32)
+        met, passing = np.zeros_like(self.coarse), np.zeros_like(self.coarse)
+        beams(self.field.medium, self.gaps, dx, self.kept, self.sun, depths, met, passing)
+        return depths, passing / np.maximum(met, LEAST)
 
     @property
-    def open_to_sun(self) -> float:
-        """Transport extinction that stands for empty air, m-1, in the diffusion of sunlight."""
-        return float(1 / np.sqrt(max(self.field.cover, LEAST) * self.field.thickness * OPEN_TO_SUN))
-
-    @property
-    def open_to_sky(self) -> float:
-        """The same in that of light from sky and ground."""
-        return 1 / (OPEN_TO_SKY * self.field.thickness)
-
-    def diffusivity(self, open_air: float) -> np.ndarray:
-        """1 / (3 transport extinction), m, that of empty air in the gaps."""
-        return np.asarray(1 / (3 * np.maximum((1 - self.asymmetry) * self.coarse, open_air)), np.float32)
+    def straight(self) -> float:
+        """Share of the sunlight that comes down without being scattered."""
+        return float(np.exp(-self.beams[0][..., 0]).mean())
 
     @cached_property
-    def of_sky(self) -> np.ndarray:
-        """Fluence for a skylight of irradiance 1 from above."""
-        return self.diffused(np.zeros_like(self.coarse), self.diffusivity(self.open_to_sky), 1.0, 0.0)
+    def ordinates(self) -> Ordinates:
+        """Light through the coarse grid."""
+        return self.absorbing(0.0)
+
+    def absorbing(self, lost: float) -> Ordinates:
+        """The same where a share `lost` of what meets the cloud is absorbed."""
+        g, kept = self.asymmetry, np.float32(self.kept)
+        return Ordinates(kept * self.coarse, self.steps, g / (1 + g), 1 - lost / self.kept)
 
     @cached_property
-    def of_ground(self) -> np.ndarray:
-        """Fluence for ground light of irradiance 1 from below."""
-        return np.float32(4) - self.of_sky  # under both it is even
+    def beam(self) -> np.ndarray:
+        """Sunlight in each cell for an irradiance of 1 on a plane that faces it, float32; what is lost is scattered."""
+        light = self.beams[1]
+        met = float((self.ordinates.extinction * light).mean()) * self.field.thickness
+        return light * np.float32(self.sun[2] * (1 - self.straight) / max(met, 1e-30))
+
+    def of_sun(self, ordinates: Ordinates) -> tuple[np.ndarray, float]:
+        """Fluence and flux of scattered light for sunlight of irradiance 1 on a plane that faces it, and what of it
+        comes down.
+        """
+        return ordinates.found(ordinates.beam(self.beam, self.sun), 0.0, 0.0)
 
     @cached_property
-    def of_sun(self) -> np.ndarray:
-        """Diffuse fluence for sunlight of irradiance 1 on a plane that faces it."""
-        return self.diffused(self.sun_source, self.diffusivity(self.open_to_sun), 0.0, 0.0)
+    def sunlight(self) -> tuple[np.ndarray, float]:
+        """The same in cloud that does not absorb."""
+        return self.of_sun(self.ordinates)
 
     @cached_property
-    def sun_source(self) -> np.ndarray:
-        """What the beam gives to that diffusion, m-1, float32."""
-        dx, dz = self.steps
-        beam = self.coarse * self.kept * np.exp(-self.sun_depths)
-        below = np.exp(-self.sun_depths[..., 0] - 0.5 * dz / self.sun[2] * self.kept * self.coarse[..., 0]).mean()
-        beam *= self.sun[2] * (1 - below) / max(beam.mean() * self.field.thickness, 1e-30)  # what is lost is scattered
-        forward = 3 * self.diffusivity(self.open_to_sun) * beam * (self.asymmetry / (1 + self.asymmetry))
-        source = beam.astype(np.float32)
-        for axis, (part, step) in enumerate(zip(-self.sun[[1, 0, 2]], (dx, dx, dz), strict=True)):
-            before, after = np.roll(forward, 1, axis), np.roll(forward, -1, axis)
-            if axis == 2:
-                before[..., 0], after[..., -1] = -forward[..., 0], -forward[..., -1]
-            source -= np.float32(part * (after - before) / (2 * step))
-        return np.asarray(source)
-
-    def diffused(
-        self, source: np.ndarray, diffusivity: np.ndarray, top: float, bottom: float, lost: float = 0.0
-    ) -> np.ndarray:
-        """The fluence, float32, where a share `lost` of what meets the cloud is absorbed."""
-        absorbed = np.float32(lost) * self.coarse
-        return np.asarray(np.maximum(spread(diffusivity, absorbed, source, *self.steps, top, bottom), 0))
+    def skylight(self) -> tuple[np.ndarray, float]:
+        """For a skylight of irradiance 1 from above. Under such a light from the ground too, all is even."""
+        return self.ordinates.found(None, 1.0, 0.0)
 
     @cached_property
     def losses(self) -> tuple[float, ...]:
         """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
-        nothing, open_sky = np.zeros_like(self.coarse), self.diffusivity(self.open_to_sky)
-        sun = self.diffused(self.sun_source * np.float32(1 - LOST), self.diffusivity(self.open_to_sun), 0.0, 0.0, LOST)
-        sky, ground = (self.diffused(nothing, open_sky, 1.0 - n, n, LOST) for n in (0.0, 1.0))
-        left = self.leaving(sun, self.open_to_sun, 0.0), self.leaving(sky, self.open_to_sky, 0.0)
-        downs = (*left, 1 + self.leaving(ground, self.open_to_sky, 1.0))
+        dim = self.absorbing(LOST)
+        downs = self.of_sun(dim)[1], dim.found(None, 1.0, 0.0)[1], dim.found(None, 0.0, 1.0)[1]
         return tuple(whole / max(down, LEAST) for whole, down in zip(self.budget[1:], downs, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:
@@ -173,29 +161,21 @@ class LitField:
 
     @cached_property
     def wider(self) -> "LitField":
-        """By cells twice as wide: what absorption takes is near to that by its own."""
-        return replace(self, coarseness=2 * self.coarseness)
+        """By wider cells: what absorption takes is near to that by its own."""
+        return replace(self, coarseness=max(WIDE, self.coarseness))
 
-    @cached_property
+    @property
     def budget(self) -> tuple[float, float, float, float]:
         """What comes down below the field: of the sun straight, as a share; of sunlight and skylight of irradiance 1
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
-        below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
-        of_sun = self.leaving(self.of_sun, self.open_to_sun, 0.0)
-        of_sky = self.leaving(self.of_sky, self.open_to_sky, 0.0)
-        back = self.leaving(self.of_ground, self.open_to_sky, 1.0)
-        return float(np.exp(-below).mean()), of_sun, of_sky, 1 + back
-
-    def leaving(self, fluence: np.ndarray, open_air: float, entering: float) -> float:
-        """Mean net flux out of the field's bottom, where a flux `entering` comes in."""
-        inner = 1 + self.steps[1] / (4 * self.diffusivity(open_air)[..., 0])
-        return float(((fluence[..., 0] / 2 - 2 * entering) / inner).mean())
+        _, of_sky = self.skylight
+        return self.straight, self.sunlight[1], of_sky, 1 - of_sky
 
     @cached_property
     def light(self) -> np.ndarray:
-        """What rays read, (north, east, up, 4)."""
-        return np.ascontiguousarray(np.stack([self.sun_depths, self.of_sun, self.of_sky, self.of_ground], axis=-1))
+        """What rays read, (north, east, up, 8)."""
+        return np.concatenate([self.sunlight[0], self.skylight[0]], axis=-1)
 
     def scattering(self, wavelengths: Any = (550.0,), weights: Any = ((1.0,),)) -> Scattering:
         """How the cloud scatters in channels, weights (W, C) of light of wavelengths (W,), nm."""
@@ -210,30 +190,10 @@ class LitField:
 
         views, kind = np.ascontiguousarray(directions, np.float64), self.field.kind
         out = np.empty((len(views), 5 + DEPTHS))
-        numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry, self.open_to_sun])
-        given = (self.field.medium, views, self.light, self.gaps, kind.period, self.sun, numbers, out)
+        numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry])
+        given = (self.field.medium, views, self.light, self.beams[0], self.gaps, kind.period, self.sun, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
         return out
-
-
-def spread(
-    diffusivity: np.ndarray, absorbed: np.ndarray, source: np.ndarray, dx: float, dz: float, top: float, bottom: float
-) -> np.ndarray:
-    """The fluence by `relaxed`, which begins with that of a grid twice as coarse to north and east."""
-    from skydome.skies.clouds.fields.diffusion_kernel import relaxed
-
-    if len(source) > FEWEST:
-        coarser = spread(paired(diffusivity), paired(absorbed), paired(source), 2 * dx, dz, top, bottom)
-        fluence = coarser.repeat(2, axis=0).repeat(2, axis=1)
-    else:
-        fluence = np.full(source.shape, 2.0 * (top + bottom), np.float32)
-    relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, SWEEPS, OVER, fluence)
-    return fluence
-
-
-def paired(cells: np.ndarray) -> np.ndarray:
-    """Means of two by two cells to north and east."""
-    return np.ascontiguousarray(0.25 * (cells[::2, ::2] + cells[1::2, ::2] + cells[::2, 1::2] + cells[1::2, 1::2]))
 
 
 def widened(taken: np.ndarray, level: int, upward: int) -> np.ndarray:

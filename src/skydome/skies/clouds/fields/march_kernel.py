@@ -1,10 +1,10 @@
 # mypy: allow-untyped-defs
 """Rays through a field of cloud, compiled: what is seen through it, and what it sends of sun, sky and ground.
 
-`light` (north, east, up, 4), float32: scaled optical depth toward the sun, and the fluence of sun, sky and ground for
-an irradiance of 1 each. `gaps` (north, east, up): m around that are free of cloud. `numbers`: share of the extinction
-that stays after the forward peak is taken out, how far light is sought, the step, m, the mean cosine of the scattering
-angle, and the transport extinction of empty air.
+`light` (north, east, up, 8), float32: fluence and flux to east, north and up of scattered sunlight, and of skylight,
+for an irradiance of 1 each. `depths`: toward the sun, as `medium_kernel.beams` has them. `gaps` (north, east, up): m
+around that are free of cloud. `numbers`: share of the extinction that stays after the forward peak is taken out, how
+far light is sought, the step, m, and the mean cosine of the scattering angle.
 """
 
 import math
@@ -23,9 +23,10 @@ FOUR_PI = 4 * math.pi
 
 
 @part
-def fluences(light, x, y, z, lowest):
-    """The fluences of sun, sky and ground, linear between the middles of cells and down to the base (Marshak's
-    boundary), half a cell that is `lowest` transport free paths thick.
+def radiances(light, x, y, z, a, b, up, forward, lowest):
+    """Diffuse light of sun, sky and ground that is scattered toward the eye, seen along (a, b, up): fluence and flux
+    linear between the middles of cells, and down to the base (Marshak's boundary), half a cell that is `lowest`
+    transport free paths thick.
     """
     rows, columns, levels, _ = light.shape
     left = 1.0 - 2.0 * min(max(-z, 0.0), 0.5) * 1.5 * lowest / (1.0 + 1.5 * lowest)
@@ -34,38 +35,41 @@ def fluences(light, x, y, z, lowest):
     u, v, w = x - fx, y - fy, z - fz
     i, j, k = int(fx) & (columns - 1), int(fy) & (rows - 1), int(fz)
     i1, j1 = (i + 1) & (columns - 1), (j + 1) & (rows - 1)
-    sun, sky, ground = 0.0, 0.0, 0.0
-    for n in range(4):
-        a, b = i1 if n & 1 else i, j1 if n & 2 else j
-        weight = (u if n & 1 else 1 - u) * (v if n & 2 else 1 - v)
-        sun += weight * (light[b, a, k, 1] * (1 - w) + light[b, a, k + 1, 1] * w)
-        sky += weight * (light[b, a, k, 2] * (1 - w) + light[b, a, k + 1, 2] * w)
-        ground += weight * (light[b, a, k, 3] * (1 - w) + light[b, a, k + 1, 3] * w)
-    return sun * left, sky * left, ground + sky * (1.0 - left)  # under both lights it is even
+    sun, along_sun, sky, along_sky = 0.0, 0.0, 0.0, 0.0
+    for n in range(8):
+        q, r, s = i1 if n & 1 else i, j1 if n & 2 else j, k + (n >> 2)
+        weight = (u if n & 1 else 1 - u) * (v if n & 2 else 1 - v) * (w if n & 4 else 1 - w)
+        sun += weight * light[r, q, s, 0]
+        along_sun += weight * (a * light[r, q, s, 1] + b * light[r, q, s, 2] + up * light[r, q, s, 3])
+        sky += weight * light[r, q, s, 4]
+        along_sky += weight * (a * light[r, q, s, 5] + b * light[r, q, s, 6] + up * light[r, q, s, 7])
+    ground = 4.0 - sky * left  # under both lights it is even
+    sun, sky = sun * left, sky * left
+    along_sun, along_sky = forward * along_sun, forward * along_sky
+    return (
+        max(sun - along_sun, 0.0) / FOUR_PI,
+        max(sky - along_sky, 0.0) / FOUR_PI,
+        max(ground + along_sky, 0.0) / FOUR_PI,
+    )
 
 
 @part
-def onward(low, high, way, ahead):
-    """Diffuse light scattered toward the eye, by the fluence somewhat before and behind: with 3 g flux toward it,
-    held to what is possible.
+def depth_to_sun(m, depths, sun, x, y, z, period, kept, near):
+    """Scaled optical depth from a place to the sun: a few steps through the field itself, and along the sun's rays
+    (`beams`) beyond them.
     """
-    fluence = 0.5 * (low + high)
-    return (fluence + min(max(way * (high - low) + ahead, -fluence), fluence)) / FOUR_PI
-
-
-@part
-def depth_to_sun(m, light, sun, x, y, z, dx, dz, near):
-    """Optical depth from a place to the sun: a few steps through the field itself, and the scaled one beyond them."""
     total, t = 0.0, 0.0
     for n in range(3):
         ds = near * (0.5 + n)
         s = t + 0.5 * ds
         total += extinction(m, x + s * sun[0], y + s * sun[1], z + s * sun[2]) * ds
         t += ds
-    z += t * sun[2]
-    if z > m.thickness:
-        return total, 0.0
-    return total, between(light[..., 0], (x + t * sun[0]) / dx - 0.5, (y + t * sun[1]) / dx - 0.5, z / dz - 0.5)
+    high = z + t * sun[2]
+    if high > m.thickness:
+        return total * kept
+    step, lean = period / depths.shape[1], z / sun[2]
+    place = high / m.thickness * (depths.shape[2] - 1)
+    return total * kept + between(depths, (x - lean * sun[0]) / step, (y - lean * sun[1]) / step, place)
 
 
 @part
@@ -89,29 +93,22 @@ def placed(depth, count):
 
 
 @part
-def sources(m, light, sun, numbers, view, here, sigma):
+def sources(m, light, depths, sun, numbers, view, here, sigma):
     """The scaled depth to the sun from a place, and what it sends toward the eye of sun, sky and ground that the cloud
     had scattered before. `here` in m.
     """
-    kept, near, asymmetry, open_air = numbers[0], numbers[2], numbers[3], numbers[4]
+    kept, near, asymmetry = numbers[0], numbers[2], numbers[3]
     x, y, z = here
-    a, b, up, cosine, dx, dz = view
-    close, beyond = depth_to_sun(m, light, sun, x, y, z, dx, dz, 2.0 * near)
-    depth = close * kept + beyond
-    turned = sigma * (1.0 - asymmetry)
-    off, lowest = min(0.5 * dx, 0.5 / turned), 0.5 * turned * dz  # half a cell, half a free path in dense cloud
-    u, v, w = x / dx - 0.5, y / dx - 0.5, z / dz - 0.5
-    east, north, high = a * off / dx, b * off / dx, up * off / dz
-    s1, k1, g1 = fluences(light, u + east, v + north, w + high, lowest)
-    s0, k0, g0 = fluences(light, u - east, v - north, w - high, lowest)
-    left = asymmetry / (1.0 + asymmetry)
-    way = left / (max(turned, open_air) * 2.0 * off)
-    ahead = 3.0 * left * left / (1.0 - left) * min(turned / open_air, 1.0) * math.exp(-depth) * cosine
-    return depth, onward(s0, s1, way, ahead), onward(k0, k1, way, 0.0), onward(g0, g1, way, 0.0)
+    a, b, up, dx, dz = view
+    depth = depth_to_sun(m, depths, sun, x, y, z, dx * light.shape[1], kept, 2.0 * near)
+    lowest = 0.5 * sigma * (1.0 - asymmetry) * dz
+    forward = 3.0 * asymmetry / (1.0 + asymmetry)
+    by_sun, by_sky, by_ground = radiances(light, x / dx - 0.5, y / dx - 0.5, z / dz - 0.5, a, b, up, forward, lowest)
+    return depth, by_sun, by_sky, by_ground
 
 
 @compiled
-def marched(first, last, m, directions, light, gaps, period, sun, numbers, out):
+def marched(first, last, m, directions, light, depths, gaps, period, sun, numbers, out):
     """Fill out (D, 5 + DEPTHS) for irradiances of 1: transmittance, radiance of sunlight scattered more than once, of
     sky and ground, distance of the cloud, and sunlight scattered once over the phase function, by the depth it came.
     """
@@ -119,8 +116,7 @@ def marched(first, last, m, directions, light, gaps, period, sun, numbers, out):
     dx, dz = period / light.shape[1], m.thickness / light.shape[2]
     for n in range(first, last):
         a, b, up = directions[n, 0], directions[n, 1], max(directions[n, 2], 1e-4)
-        cosine = a * sun[0] + b * sun[1] + up * sun[2]
-        view = (a, b, up, cosine, dx, dz)
+        view = (a, b, up, dx, dz)
         out[n] = 0.0
         s, end = distance_to(m.base, up), min(distance_to(m.base + m.thickness, up), farthest)
         through, from_sun, from_sky, from_ground, weight, far, was_cloud = 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
@@ -141,7 +137,7 @@ def marched(first, last, m, directions, light, gaps, period, sun, numbers, out):
                 step = DENSE / (sigma * kept)
                 middle = s + 0.5 * step
                 here = (middle * a + m.east, middle * b + m.north, height_over(middle, up) - m.base)
-            depth, by_sun, by_sky, by_ground = sources(m, light, sun, numbers, view, here, sigma)
+            depth, by_sun, by_sky, by_ground = sources(m, light, depths, sun, numbers, view, here, sigma)
             share = through * (1.0 - math.exp(-sigma * kept * step))
             share = through if through - share < GONE else share
             k, rest = placed(depth - math.log(through), out.shape[1] - 5)

@@ -118,24 +118,30 @@ def cell_means(first, last, m, period, out):
 
 
 @compiled
-def depths_toward_sun(sigma, dx, dz, sun, out):
-    """Optical depth of a coarse grid from each cell's middle toward the sun, by slices from the top down."""
-    rows, columns, levels = sigma.shape
-    shift_x, shift_y = dz * sun[0] / sun[2], dz * sun[1] / sun[2]
-    long = dz / sun[2]
-    count = int(math.sqrt(shift_x * shift_x + shift_y * shift_y) / dx) + 1
+def beams(m, gaps, width, kept, sun, depths, met, passing):
+    """Scaled optical depth toward the sun from places that lie along its rays, into `depths` (north, east, up): a level
+    z above the base has its places shifted by z toward the sun. Sums of the depths that rays meet in the coarse
+    cells, and of the light that they lose there, into `met` and `passing` (north, east, up).
+    """
+    rows, columns, last = depths.shape[0], depths.shape[1], depths.shape[2] - 1
+    cells, levels = met.shape[1], met.shape[2]
+    step, high, dz = width * cells / columns, m.thickness / last, m.thickness / levels
+    lean_x, lean_y, long = sun[0] / sun[2], sun[1] / sun[2], high / sun[2]
     for j in range(rows):
         for i in range(columns):
-            out[j, i, levels - 1] = 0.5 * long * sigma[j, i, levels - 1]
-    for k in range(levels - 2, -1, -1):
-        for j in range(rows):
-            for i in range(columns):
-                total = 0.0
-                for n in range(count):
-                    s = (n + 0.5) / count
-                    total += between(sigma, i + s * shift_x / dx, j + s * shift_y / dx, k + s)
-                above = between(out, i + shift_x / dx, j + shift_y / dx, k + 1.0)
-                out[j, i, k] = above + total * long / count
+            depths[j, i, last] = 0.0
+            total = 0.0
+            for k in range(last - 1, -1, -1):
+                z = (k + 0.5) * high
+                x, y = i * step + z * lean_x, j * step + z * lean_y
+                if free(gaps, x / width, y / width, z / dz) == 0.0:
+                    depth = extinction(m, x, y, z) * kept * long
+                    a, b = math.floor(x / width) & (cells - 1), math.floor(y / width) & (cells - 1)
+                    c = min(int(z / dz), levels - 1)
+                    met[b, a, c] += depth
+                    passing[b, a, c] += math.exp(-total) * -math.expm1(-depth)
+                    total += depth
+                depths[j, i, k] = total
 
 
 @compiled

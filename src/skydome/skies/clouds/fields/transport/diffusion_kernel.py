@@ -25,60 +25,62 @@ def at_the_edge(d, dz):
 
 
 @part
-def sideways(diffusivity, across, east, north):
+def sideways(level, across, east, north):
     """What passes from each cell to the next in the east and in the north."""
-    rows, columns, levels = diffusivity.shape
+    rows, columns, levels = level.shape
     for j in range(rows):
         j1 = (j + 1) & (rows - 1)
         for i in range(columns):
             i1 = (i + 1) & (columns - 1)
             for k in range(levels):
-                d = diffusivity[j, i, k]
-                east[j, i, k] = joined(d, diffusivity[j, i1, k], across)
-                north[j, i, k] = joined(d, diffusivity[j1, i, k], across)
+                d = level[j, i, k]
+                east[j, i, k] = joined(d, level[j, i1, k], across)
+                north[j, i, k] = joined(d, level[j1, i, k], across)
 
 
 @part
-def freed(diffusivity, absorbed, source, j, i, along, dz, top, bottom, tables):
+def freed(upward, absorbed, j, i, along, dz, tables):
     """A column's equations, each freed of the cell below: what comes from above and what one gives, over what it loses,
     and the share of the cell below in it.
     """
-    east, north, above, over_lost, share, base = tables
-    rows, columns, levels = source.shape
+    east, north, above, over_lost, share = tables
+    rows, columns, levels = upward.shape
     j0, i0, below, before = (j - 1) & (rows - 1), (i - 1) & (columns - 1), 0.0, 1.0
     for k in range(levels):
-        d = diffusivity[j, i, k]
+        d = upward[j, i, k]
         lost = east[j, i, k] + east[j, i0, k] + north[j, i, k] + north[j0, i, k] + absorbed[j, i, k] + below
-        given, up = source[j, i, k], 0.0
-        if k < levels - 1:
-            up = joined(d, diffusivity[j, i, k + 1], along)
-        else:
-            lost, given = lost + at_the_edge(d, dz), given + 4.0 * top * at_the_edge(d, dz)
+        up = joined(d, upward[j, i, k + 1], along) if k < levels - 1 else 0.0
+        if k == levels - 1:
+            lost += at_the_edge(d, dz)
         if k == 0:
-            lost, given = lost + at_the_edge(d, dz), given + 4.0 * bottom * at_the_edge(d, dz)
+            lost += at_the_edge(d, dz)
         lost += up - below * below * before * (k > 0)
-        share[j, i, k], base[j, i, k] = below * before * (k > 0), given
+        share[j, i, k] = below * before * (k > 0)
         before = 1.0 / lost
         above[j, i, k], over_lost[j, i, k] = up * before, before
         below = up
 
 
 @compiled
-def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, fluence):
-    """Fluence of absorbed fluence - div(D grad fluence) = source, into `fluence` (north, east, up), the first guess.
-
-    `top`, `bottom`: what light falls in there, as a flux. Marshak's boundary: (fluence / 2 - 2 in) flows out. `over`
-    speeds it up. All float32.
-    """
-    rows, columns, levels = source.shape
-    tables, column = np.empty((6, rows, columns, levels), np.float32), np.empty(levels, np.float32)
-    each = (tables[0], tables[1], tables[2], tables[3], tables[4], tables[5])
-    east, north, above, over_lost, share, base = each
-    sideways(diffusivity, 1.0 / (dx * dx), east, north)
+def joined_up(upward, level, absorbed, dx, dz, tables):
+    """Fill tables (5, north, east, up) for `relaxed`; D is `upward` from level to level and `level` on one."""
+    rows, columns, _ = upward.shape
+    each = (tables[0], tables[1], tables[2], tables[3], tables[4])
+    sideways(level, 1.0 / (dx * dx), each[0], each[1])
     for j in range(rows):
         for i in range(columns):
-            freed(diffusivity, absorbed, source, j, i, 1.0 / (dz * dz), dz, top, bottom, each)
-    beyond, zero = np.float32(over), np.float32(0.0)
+            freed(upward, absorbed, j, i, 1.0 / (dz * dz), dz, each)
+
+
+@compiled
+def relaxed(tables, source, sweeps, fluence):
+    """Fluence of absorbed fluence - div(D grad fluence) = source, into `fluence` (north, east, up), the first guess.
+
+    Marshak's boundary: fluence / 2 flows out. All float32.
+    """
+    rows, columns, levels = source.shape
+    east, north, above, over_lost, share = tables[0], tables[1], tables[2], tables[3], tables[4]
+    column, zero = np.empty(levels, np.float32), np.float32(0.0)
     for sweep in range(2 * sweeps):
         for j in range(rows):
             j0, j1 = (j - 1) & (rows - 1), (j + 1) & (rows - 1)
@@ -86,7 +88,7 @@ def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, fl
                 i0, i1 = (i - 1) & (columns - 1), (i + 1) & (columns - 1)
                 for k in range(levels):
                     column[k] = (
-                        base[j, i, k]
+                        source[j, i, k]
                         + (east[j, i, k] * fluence[j, i1, k] + east[j, i0, k] * fluence[j, i0, k])
                         + (north[j, i, k] * fluence[j1, i, k] + north[j0, i, k] * fluence[j0, i, k])
                     )
@@ -97,4 +99,4 @@ def relaxed(diffusivity, absorbed, source, dx, dz, top, bottom, sweeps, over, fl
                 found = zero
                 for k in range(levels - 1, -1, -1):
                     found = column[k] + above[j, i, k] * found
-                    fluence[j, i, k] += beyond * (found - fluence[j, i, k])
+                    fluence[j, i, k] = found

@@ -1,0 +1,63 @@
+"""Diffusion of light through a coarse grid of cloud, on grids from coarse to fine: what hastens discrete ordinates."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+SWEEPS, FEWEST = 2, 8
+"""Sweeps on each grid, and cells along a side of the coarsest, at most."""
+SMEARED = 0.25
+"""Diffusivity of ordinates' rays that hop from cell to cell, in widths of a cell."""
+
+
+@dataclass(frozen=True, eq=False)
+class Diffusion:
+    """Diffusion through cells (north, east, up) of `steps` (width, height), m: D from level to level is `upward`, m,
+    and `level` on one; `absorbed` in m-1. Nothing comes in from outside (Marshak's boundary).
+    """
+
+    upward: np.ndarray
+    level: np.ndarray
+    absorbed: np.ndarray
+    steps: tuple[float, float]
+
+    @classmethod
+    def of(cls, extinction: np.ndarray, absorbed: np.ndarray, steps: tuple[float, float]) -> "Diffusion":
+        """By transport extinction above 0, m-1."""
+        upward = np.float32(1 / 3) / extinction
+        return cls(upward, np.hypot(upward, np.float32(SMEARED * steps[0])), absorbed, steps)
+
+    @cached_property
+    def coarser(self) -> "Diffusion | None":
+        """By cells twice as wide."""
+        if len(self.upward) <= FEWEST:
+            return None
+        return Diffusion(
+            *(paired(part) for part in (self.upward, self.level, self.absorbed)), (2 * self.steps[0], self.steps[1])
+        )
+
+    @cached_property
+    def tables(self) -> np.ndarray:
+        """What passes between cells, (5, north, east, up)."""
+        from skydome.skies.clouds.fields.transport.diffusion_kernel import joined_up
+
+        tables = np.empty((5, *self.upward.shape), np.float32)
+        joined_up(self.upward, self.level, self.absorbed, *self.steps, tables)
+        return tables
+
+    def fluence(self, source: np.ndarray) -> np.ndarray:
+        """Of a `source` (north, east, up), m-1, by -div(D grad fluence) + absorbed fluence = source, float32."""
+        from skydome.skies.clouds.fields.transport.diffusion_kernel import relaxed
+
+        if self.coarser is None:
+            found = np.zeros(source.shape, np.float32)
+        else:
+            found = self.coarser.fluence(paired(source)).repeat(2, axis=0).repeat(2, axis=1)
+        relaxed(self.tables, source, SWEEPS, found)
+        return found
+
+
+def paired(cells: np.ndarray) -> np.ndarray:
+    """Means of two by two cells to north and east."""
+    return np.ascontiguousarray(0.25 * (cells[::2, ::2] + cells[1::2, ::2] + cells[::2, 1::2] + cells[1::2, 1::2]))
