@@ -130,19 +130,19 @@ class LitField:
         met = float((self.ordinates.extinction * light).mean()) * self.field.thickness
         return light * np.float32(self.sun[2] * (1 - self.straight) / max(met, 1e-30))
 
-    def of_sun(self, ordinates: Ordinates) -> tuple[np.ndarray, float]:
+    def of_sun(self, ordinates: Ordinates) -> tuple[np.ndarray, tuple[float, float]]:
         """Fluence and flux of scattered light for sunlight of irradiance 1 on a plane that faces it, and what of it
-        comes down.
+        comes out below and above.
         """
         return ordinates.found(ordinates.beam(self.beam, self.sun), 0.0, 0.0)
 
     @cached_property
-    def sunlight(self) -> tuple[np.ndarray, float]:
+    def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
         """The same in cloud that does not absorb."""
         return self.of_sun(self.ordinates)
 
     @cached_property
-    def skylight(self) -> tuple[np.ndarray, float]:
+    def skylight(self) -> tuple[np.ndarray, tuple[float, float]]:
         """For a skylight of irradiance 1 from above. Under such a light from the ground too, all is even."""
         return self.ordinates.found(None, 1.0, 0.0)
 
@@ -150,7 +150,8 @@ class LitField:
     def losses(self) -> tuple[float, ...]:
         """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
         dim = self.absorbing(LOST)
-        downs = self.of_sun(dim)[1], dim.found(None, 1.0, 0.0)[1], dim.found(None, 0.0, 1.0)[1]
+        parts = self.of_sun(dim), dim.found(None, 1.0, 0.0), dim.found(None, 0.0, 1.0)
+        downs = (below for _, (below, _) in parts)
         return tuple(whole / max(down, LEAST) for whole, down in zip(self.budget[1:], downs, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:
@@ -169,8 +170,8 @@ class LitField:
         """What comes down below the field: of the sun straight, as a share; of sunlight and skylight of irradiance 1
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
-        _, of_sky = self.skylight
-        return self.straight, self.sunlight[1], of_sky, 1 - of_sky
+        (of_sun, _), (of_sky, _) = self.sunlight[1], self.skylight[1]
+        return self.straight, of_sun, of_sky, 1 - of_sky
 
     @cached_property
     def light(self) -> np.ndarray:

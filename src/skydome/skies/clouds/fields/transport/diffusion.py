@@ -33,9 +33,9 @@ class Diffusion:
         """By cells twice as wide."""
         if len(self.upward) <= FEWEST:
             return None
-        return Diffusion(
-            *(paired(part) for part in (self.upward, self.level, self.absorbed)), (2 * self.steps[0], self.steps[1])
-        )
+        (dx, dz), cells = self.steps, (self.upward, self.level, self.absorbed)
+        upward, level, absorbed = (paired(part) for part in cells)
+        return Diffusion(upward, level, absorbed, (2 * dx, dz))
 
     @cached_property
     def tables(self) -> np.ndarray:

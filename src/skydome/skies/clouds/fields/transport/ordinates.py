@@ -46,7 +46,7 @@ class Ordinates:
     def counts(self) -> np.ndarray:
         """Steps through a level, none longer than a cell is wide, (SLANTS,)."""
         sine, (dx, dz) = self.slants[0], self.steps
-        return np.maximum(np.ceil(np.sqrt(1 - sine**2) / sine * dz / dx), 1).astype(np.int64)
+        return np.asarray(np.maximum(np.ceil(np.sqrt(1 - sine**2) / sine * dz / dx), 1), np.int64)
 
     @cached_property
     def longs(self) -> np.ndarray:
@@ -90,36 +90,36 @@ class Ordinates:
     def hops(self) -> np.ndarray:
         """How many cells to east and north a ray has gone at each step, of directions and quarter turns."""
         rows, columns = self.extinction.shape[:2]
-        a, b, up, _ = np.float64(self.directions).T
+        a, b, up = np.asarray(self.directions[:, :3], np.float64).T
         each = self.steps[1] / self.steps[0] / np.abs(up) / np.tile(self.counts, 2)
         ways = np.stack([np.stack([a, -b, -a, b], 1), np.stack([b, a, -b, -a], 1)], axis=-1) * each[:, None, None]
         places = np.arange(self.counts.max() * self.extinction.shape[2]) + 0.5
         gone = np.floor(ways[:, :, None, :] * places[:, None] + 0.5).astype(np.int64)
-        return gone % np.array([columns, rows])
+        return np.asarray(gone % np.array([columns, rows]))
 
     def beam(self, light: np.ndarray, sun: np.ndarray) -> np.ndarray:
         """What a beam of so much light in each cell (north, east, up), from the sun (3,), makes them send."""
         light = np.moveaxis(light, 2, 0) * (self.albedo / FOUR_PI)
         return np.asarray([light, *(-3 * self.asymmetry * part * light for part in sun)], np.float32)
 
-    def found(self, first: np.ndarray | None, above: float, below: float) -> tuple[np.ndarray, float]:
-        """Fluence and flux to east, north and up, (north, east, up, 4), float32, and the flux that goes down out of the
-        bottom, where cells send `first` besides what they scatter, and fluxes come in from above and below.
+    def found(self, first: np.ndarray | None, above: float, below: float) -> tuple[np.ndarray, tuple[float, float]]:
+        """Fluence and flux to east, north and up, (north, east, up, 4), float32, and the fluxes that go out of bottom
+        and top, where cells send `first` besides what they scatter, and fluxes come in from above and below.
         """
         ray = np.empty((len(self.directions), 4, *self.sigma.shape[1:]), np.float32)
         entering = np.array([above, below], np.float32) / np.float32(np.pi)
         light = np.zeros((4, *self.sigma.shape), np.float32)
         for _ in range(MOST):
             new = self.swept(light, first, entering, ray)
-            change = new[0] - light[0]
-            new[0] += self.hastened(change)
+            new[0] += self.hastened(new[0] - light[0])
+            change = np.abs(new[0] - light[0]).mean()
             light = new
-            if np.abs(change).mean() < CHANGE * light[0].mean():
+            if change < CHANGE * light[0].mean():
                 break
-        down = self.directions[:SLANTS]
-        leaving = -4 * (down[:, 3] * down[:, 2] * self.counts) @ ray[:SLANTS].mean(axis=(1, 2, 3))
+        each = 4 * self.directions[:, 3] * np.abs(self.directions[:, 2]) * np.tile(self.counts, 2)
+        down, up = (each * ray.mean(axis=(1, 2, 3))).reshape(2, SLANTS).sum(axis=1)
         light[0] = np.maximum(light[0], 0)
-        return light.transpose(2, 3, 1, 0), float(leaving)
+        return light.transpose(2, 3, 1, 0), (float(down), float(up))
 
     def swept(self, light: np.ndarray, first: np.ndarray | None, entering: np.ndarray, ray: np.ndarray) -> np.ndarray:
         """Fluence and flux (4, up, north, east) by one sweep."""
