@@ -37,9 +37,14 @@ KERNEL_PAIRS = (
         "skies/clouds/fields/test_cloud_fields.py::test_extinction_is_the_same_compiled",
     ),
     Pair(
-        "skies.clouds.fields.lit_field:LitField",
-        "skies.clouds.fields.diffusion_kernel:relaxed",
-        "skies/clouds/fields/test_cloud_fields.py::test_diffusion_through_a_slab",
+        "skies.clouds.fields.transport.ordinates:Ordinates",
+        "skies.clouds.fields.transport.ordinates_kernel:swept",
+        "skies/clouds/fields/test_cloud_fields.py::test_ordinates_through_a_slab",
+    ),
+    Pair(
+        "skies.clouds.fields.transport.diffusion:Diffusion",
+        "skies.clouds.fields.transport.diffusion_kernel:relaxed",
+        "skies/clouds/fields/test_cloud_fields.py::test_ordinates_through_a_slab",
     ),
     Pair(
         "skies.clouds.fields.lit_field:LitField",

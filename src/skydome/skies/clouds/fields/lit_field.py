@@ -17,7 +17,7 @@ from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
-from skydome.skies.clouds.fields.transport.ordinates import Ordinates
+from skydome.skies.clouds.fields.transport.ordinates import Ordinates, wider
 
 LOWEST = 0.01
 """Sine of the elevation of the lowest sun whose shadows are let down."""
@@ -27,8 +27,8 @@ FINE, MOST_LEVELS = 4.0, 96
 """Steps along the sun's rays, in places of fine detail, and how many there are at most."""
 LOST, TRIFLE, LEAST = 0.02, 1e-4, 1e-9
 """Share absorbed where it is told how cloud absorbs; a share that is nothing; a flux that is."""
-WIDE = 8
-"""Places of the shape along a side of the cells in which that is told."""
+WIDEST = 32
+"""Cells along a side of the grid by which that is told."""
 RAYS_PER_PIECE = 1 << 8
 WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
 """Gaps that are told apart, in heights of a cell."""
@@ -116,12 +116,7 @@ class LitField:
     @cached_property
     def ordinates(self) -> Ordinates:
         """Light through the coarse grid."""
-        return self.absorbing(0.0)
-
-    def absorbing(self, lost: float) -> Ordinates:
-        """The same where a share `lost` of what meets the cloud is absorbed."""
-        g, kept = self.asymmetry, np.float32(self.kept)
-        return Ordinates(kept * self.coarse, self.steps, g / (1 + g), 1 - lost / self.kept)
+        return Ordinates(np.float32(self.kept) * self.coarse, self.steps, self.asymmetry / (1 + self.asymmetry))
 
     @cached_property
     def beam(self) -> np.ndarray:
@@ -130,16 +125,12 @@ class LitField:
         met = float((self.ordinates.extinction * light).mean()) * self.field.thickness
         return light * np.float32(self.sun[2] * (1 - self.straight) / max(met, 1e-30))
 
-    def of_sun(self, ordinates: Ordinates) -> tuple[np.ndarray, tuple[float, float]]:
+    @cached_property
+    def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
         """Fluence and flux of scattered light for sunlight of irradiance 1 on a plane that faces it, and what of it
         comes out below and above.
         """
-        return ordinates.found(ordinates.beam(self.beam, self.sun), 0.0, 0.0)
-
-    @cached_property
-    def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
-        """The same in cloud that does not absorb."""
-        return self.of_sun(self.ordinates)
+        return self.ordinates.found(self.ordinates.beam(self.beam, self.sun), 0.0, 0.0)
 
     @cached_property
     def skylight(self) -> tuple[np.ndarray, tuple[float, float]]:
@@ -149,21 +140,23 @@ class LitField:
     @cached_property
     def losses(self) -> tuple[float, ...]:
         """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
-        dim = self.absorbing(LOST)
-        parts = self.of_sun(dim), dim.found(None, 1.0, 0.0), dim.found(None, 0.0, 1.0)
-        downs = (below for _, (below, _) in parts)
-        return tuple(whole / max(down, LEAST) for whole, down in zip(self.budget[1:], downs, strict=True))
+        wide, beam = self.ordinates, self.beam
+        while len(beam) > WIDEST:
+            wide, beam = wide.wider(), wider(beam, wide.extinction)
+        whole, dim = (
+            [down for _, (down, _) in each]
+            for each in (
+                [o.found(o.beam(beam, self.sun), 0.0, 0.0), o.found(None, 1.0, 0.0), o.found(None, 0.0, 1.0)]
+                for o in (wide, replace(wide, albedo=1 - LOST / self.kept))
+            )
+        )
+        return tuple(all_down / max(down, LEAST) for all_down, down in zip(whole, dim, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:
         """What cloud that absorbs shares `lost` (W,) leaves of the scattered light of sun, sky and ground, (3, W)."""
         if lost.max(initial=0.0) < TRIFLE:
             return np.ones((3, len(lost)))
-        return np.asarray(1 / (1 + lost / LOST * (np.array(self.wider.losses)[:, None] - 1)))
-
-    @cached_property
-    def wider(self) -> "LitField":
-        """By wider cells: what absorption takes is near to that by its own."""
-        return replace(self, coarseness=max(WIDE, self.coarseness))
+        return np.asarray(1 / (1 + lost / LOST * (np.array(self.losses)[:, None] - 1)))
 
     @property
     def budget(self) -> tuple[float, float, float, float]:

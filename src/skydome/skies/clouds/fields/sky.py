@@ -31,10 +31,10 @@ class CloudySky(WrappedSky, SpectralSky):
     """The `clear` physical sky of one sun with a `field` of cloud in it: spectrum, colour, luminance.
 
     Light scattered once by the cloud with its particles' phase function by wavelength (corona, bow, glory), all higher
-    orders by diffusion in three dimensions; sunlight, skylight and the ground's light on the cloud by the clear sky's
-    air, and that air between cloud and eye. Against paths traced: docs/clouds.md. `sky + SunDisc.of(sky)` has the sun
-    as the cloud leaves it. Extinction is grey; the near infrared is absorbed. Needs Numba. ValueError for many suns or
-    airs.
+    orders by discrete ordinates in three dimensions; sunlight, skylight and the ground's light on the cloud by the
+    clear sky's air, and that air between cloud and eye. Against paths traced: docs/clouds.md. `sky + SunDisc.of(sky)`
+    has the sun as the cloud leaves it. Extinction is grey; the near infrared is absorbed. Needs Numba. ValueError for
+    many suns or airs.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
@@ -46,7 +46,9 @@ class CloudySky(WrappedSky, SpectralSky):
     clear: PhysicalSky
     field: CloudField
     kinds: ClassVar = {"clear": (PhysicalSky, "PhysicalSky(sun)"), "field": (CloudField, "CloudField(cover=0.4)")}
-    source: ClassVar[str] = "single scattering (TMS) and diffusion in three dimensions through procedural cloud"
+    source: ClassVar[str] = (
+        "single scattering (TMS) and discrete ordinates in three dimensions through procedural cloud"
+    )
     lowest_sun: ClassVar[float] = PhysicalSky.lowest_sun
     knows_energy: ClassVar[bool] = True
 

@@ -57,7 +57,7 @@ class GlowBehindClouds(WrappedSky, SpectralSky):
     kinds: ClassVar = {"glow": (GlowAbove, "Airglow()"), "under": (LitField, "LitField.of(field, sun)")}
     shines_at_night: ClassVar[bool] = True
     bands: ClassVar[np.ndarray] = GlowAbove.bands
-    source: ClassVar[str] = "diffusion in three dimensions through procedural cloud"
+    source: ClassVar[str] = "discrete ordinates in three dimensions through procedural cloud"
 
     @property
     def wrapped(self) -> GlowAbove:
