@@ -10,8 +10,8 @@
 - lit_field        A field under its lights: depths toward the sun, diffused light of sun, sky and ground
 - diffusion_kernel  Diffusion of light through a coarse grid, compiled
 - march_kernel     Rays through a lit field, compiled
+- air/             The air about a field: above, below, between eye and cloud
 - incident         The light of a clear sky on a field, in channels, and the air before the cloud
-- air_kernel       Both put together, compiled
 - sky              A sky of clouds
 - shadows          What a field lets straight through of the sun, over the ground: shadows as a map
 - reference        A sky of clouds by brute force: paths of light through the field, with standard errors

@@ -29,9 +29,8 @@ SWEEPS, OVER, FEWEST = 16, 1.7, 8
 """Sweeps on each grid, how far beyond, and cells along a side of the coarsest grid, at most."""
 LOST, TRIFLE, LEAST = 0.02, 1e-4, 1e-9
 """Share absorbed in the diffusion that tells how cloud absorbs; a share that is nothing; a flux that is."""
-RAYS_PER_PIECE = 1 << 8
-WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
-"""Gaps that are told apart, in heights of a cell."""
+RAYS_PER_PIECE, WIDTHS = 1 << 8, np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
+"""Rays at a time; gaps that are told apart, in heights of a cell."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,14 +177,16 @@ class LitField:
 
     @cached_property
     def budget(self) -> tuple[float, float, float, float]:
-        """What comes down below the field: of the sun straight, as a share; of sunlight and skylight of irradiance 1
-        scattered, on the horizontal; and the share of light from below that is sent back down.
-        """
-        below = self.sun_depths[..., 0] + 0.5 * self.steps[1] / self.sun[2] * self.kept * self.coarse[..., 0]
+        """Below the field: the sun straight, a share; sun and sky of 1 scattered, on the level; the share sent back."""
         of_sun = self.leaving(self.of_sun, self.open_to_sun, 0.0)
         of_sky = self.leaving(self.of_sky, self.open_to_sky, 0.0)
-        back = self.leaving(self.of_ground, self.open_to_sky, 1.0)
-        return float(np.exp(-below).mean()), of_sun, of_sky, 1 + back
+        back = 1 + self.leaving(self.of_ground, self.open_to_sky, 1.0)
+        return self.straight(self.sun[2]), of_sun, of_sky, back
+
+    def straight(self, sine: float) -> float:
+        """Share of the sun's light that comes straight through the field, on a way through it at a sine."""
+        last = 0.5 * self.steps[1] * self.kept * self.coarse[..., 0]
+        return float(np.exp(-(self.sun_depths[..., 0] * self.sun[2] + last) / sine).mean())
 
     def leaving(self, fluence: np.ndarray, open_air: float, entering: float) -> float:
         """Mean net flux out of the field's bottom, where a flux `entering` comes in."""
