@@ -134,8 +134,7 @@ class Incident:
     @cached_property
     def upon(self) -> Skylight:
         """The sky's light on the field's top; that sky lies over the field, which sends light back up."""
-        mirrored = self.shares.seen_from_above(self.dimming[2], self.albedo)
-        beam = self.sun * max(self.lit.sun[2], 0.0)
+        mirrored, beam = self.shares.seen_from_above(self.dimming[2], self.albedo), self.sun * max(self.lit.sun[2], 0.0)
         return skylight(self.clear, self.lit.field.top, self.channels.wavelengths, beam, mirrored)
 
     @property

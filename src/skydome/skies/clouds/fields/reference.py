@@ -22,7 +22,7 @@ from skydome.skies.path_tracing.tracing import Tracing
 ELEVATIONS, AZIMUTHS = 33, 64
 """Of the table of the clear sky that paths end in."""
 PATHS_PER_PIECE = 64
-MEANING = 2
+MEANING = 3
 """Counted up whenever a seed comes to mean other paths."""
 
 

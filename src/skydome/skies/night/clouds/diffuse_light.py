@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 
 from skydome.ground.directions import direction
-from skydome.skies.clouds.fields.incident import AROUND, LEAST, VIEWS, Channels, Incident
+from skydome.skies.clouds.fields.air.above import Skylight
+from skydome.skies.clouds.fields.air.before import LEAST, VIEWS
+from skydome.skies.clouds.fields.incident import AROUND, Channels, Incident
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.night.celestial import GlowAbove
@@ -43,6 +45,11 @@ class DiffuseLight(Incident):
         return self.sun
 
     @cached_property
+    def upon(self) -> Skylight:
+        """Its light upon the field, as on the ground."""
+        return Skylight(self.sky, self.sky)
+
+    @cached_property
     def scattering(self) -> Scattering:
         """How the cloud scatters, for no light at all."""
         return self.lit.scattering(self.channels.wavelengths, self.channels.weights)
@@ -57,7 +64,7 @@ class DiffuseLight(Incident):
 
     @cached_property
     def tables(self) -> np.ndarray:
-        """As of a clear sky, (VIEWS, LEVELS, 5, C), where the air before the cloud has its share of the air's light."""
+        """As of a clear sky, (VIEWS, LEVELS, 6, C), where the air before the cloud has its share of the air's light."""
         found = super().tables.copy()
         found[:, :, 0] *= self.from_air[:, None]
         return found
