@@ -87,8 +87,7 @@ class Incident:
         tables, w, air = ColumnTables.of(self.air), self.channels.wavelengths, self.air
         at, standing = np.array(height), np.arcsin(np.clip(np.asarray(self.clear.toward, np.float64)[2], -1.0, 1.0))
         seen, share = tables.seen(at, standing)
-        sine = np.asarray(np.sin(seen))
-        light = np.exp(-tables.toward(at, sine) @ self.depths) * air.sun_at(w) * share
+        light = np.exp(-tables.toward(at, sine := np.asarray(np.sin(seen))) @ self.depths) * air.sun_at(w) * share
         if air.gases is None:
             return np.asarray(light)
         gases = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(at, sine)
