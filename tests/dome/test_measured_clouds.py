@@ -72,7 +72,7 @@ def test_light_that_no_clouds_have_is_carried_by_the_nearest(high, dni, dhi, why
 
 def test_clouds_drift_between_rows_and_carry_the_light_of_each_moment():
     rows = (Row(0.0, tuple(SUN), 500.0, 160.0), Row(3600.0, tuple(SUN), 0.0, 200.0))
-    known = {0: Anchor(3.0, 0.1, None, ""), 1: Anchor(9.0, 0.2, None, "")}
+    known = {0: Anchor(3.0, 0.1, 0.0, ""), 1: Anchor(9.0, 0.2, 0.0, "")}
     day = DriftingClouds(rows, FIELD, known)
     found = [day.at(seconds, SUN, dni, 180.0)[0] for seconds, dni in ((1800.0, 250.0), (1860.0, 240.0))]
     places = np.array([each.field.place for each in found])
