@@ -40,7 +40,7 @@ def test_the_clouds_are_those_asked_for():
         ((*MEASURED, "--dni", 1500, "--dhi", 100), "dni must lie in [0, 136"),
         ((*MEASURED, "--dni", 0, "--dhi", 0), "dhi must be 1 W m-2 or more"),
         ((*MEASURED, "--dni", 1200, "--dhi", 50), "through the clearest air here, got 1200"),
-        (("--sun", "200,1", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "2 degrees above the horizon"),
+        (("--sun", "200,0.3", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "0.5 degrees above the horizon"),
         (("--clouds", "cumulus"), "the sun must be given"),
     ],
 )

@@ -71,7 +71,7 @@ def clouds_for(
 
     Looks for the air's haze, the cover and density of `field`, and how much thicker or thinner it must be before the
     `sun` (3,). A last factor on sky and disc is told, below 10 %. ValueError in one line for light that the sun cannot
-    give, with what it can. The sun at 2 degrees or more.
+    give, with what it can. The sun at half a degree or more.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
