@@ -25,8 +25,8 @@ FEW, FINER = 4, (0.75, 0.87, 1.15, 1.33)
 """Hazes whose sun is near enough to look at; parts of the best that are looked at too."""
 CLOUDLESS = 0.85
 """Share of the clear sun from which on no cloud is taken to stand before it."""
-FINE, QUICK = (1, 2), (5, 4)
-"""Every so many wavelengths, and coarseness: of what light is set by, and what it is sought by."""
+FINE, QUICK = (1, 2, 6), (5, 4, 3)
+"""Every so many wavelengths, coarseness, and bands: of what light is set by, and what it is sought by."""
 NEAR = 0.1
 """Greatest part by which light may be moved in the end; what needs more is refused."""
 
@@ -39,13 +39,18 @@ class Measure:
     every: int
     coarseness: int
     """Places of a field's shape along a side of the cells in which its light is diffused."""
+    bands: int
+    """Channels that the spectrum is told in: air and cloud are taken as one colour in each."""
 
     @cached_property
     def channels(self) -> Channels:
-        """The whole spectrum's energy."""
+        """The whole spectrum's energy, in bands of as much sunlight each."""
         known = columns("spectrl2_gases")["wavelength_nm"]
         known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)][:: self.every]
-        return Channels(known, weights_of(self.sky.atmosphere, known, np.ones_like)[:, None])
+        energy = weights_of(self.sky.atmosphere, known, np.ones_like)
+        sunlight = np.cumsum(energy * self.sky.atmosphere.sun_at(known))
+        band = np.minimum((self.bands * sunlight / sunlight[-1]).astype(int), self.bands - 1)
+        return Channels(known, energy[:, None] * np.eye(self.bands)[band])
 
     @cached_property
     def nodes(self) -> tuple[np.ndarray, np.ndarray]:
@@ -55,7 +60,7 @@ class Measure:
 
     @cached_property
     def light(self) -> np.ndarray:
-        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
+        """Radiance of the nodes by bands, W m-2 sr-1, (D, C)."""
         views = self.nodes[0]
         half = self.sky.radiance(views[: len(views) // 2], self.channels.wavelengths) @ self.channels.weights
         return np.concatenate([half, half])  # the other half mirrors it
@@ -63,7 +68,7 @@ class Measure:
     @cached_property
     def alone(self) -> float:
         """Diffuse horizontal irradiance without cloud, W m-2."""
-        return float(self.nodes[1] @ self.light[:, 0])
+        return float((self.nodes[1] @ self.light).sum())
 
     def behind(self, field: CloudField) -> float:
         """The same with a field before it."""
@@ -74,7 +79,7 @@ class Measure:
         if lit.field.cover <= 0:
             return self.alone
         views, weights = self.nodes
-        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
+        return float((weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)).sum())
 
 
 @dataclass(frozen=True, eq=False)
