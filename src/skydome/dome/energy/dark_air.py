@@ -26,7 +26,7 @@ def dark_air(air: Atmosphere, depth: float, darkness: float) -> Atmosphere:
 
     >>> from skydome.skies.all_air.taught_air import clear_air
     >>> [round(float(dark_air(clear_air(), 0.1, dark).albedo_at([550.0])[0]), 2) for dark in (1.0, 2.0)]
-    [0.15, 0.08]
+    [0.2, 0.1]
     """
     low = next(n for n, part in enumerate(air.constituents) if isinstance(part, Aerosol))
     parts = list(air.constituents)

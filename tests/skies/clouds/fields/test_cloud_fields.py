@@ -289,4 +289,4 @@ def test_energy_of_clouds_in_turbid_air_is_told_and_lights_the_field_once():
 def test_absorption_by_wider_cells_is_that_by_its_own():
     """What absorption leaves of sun, sky and ground is told by cells twice as wide."""
     lit = LitField.of(HEAPS, SUN)
-    np.testing.assert_allclose(lit.wider.losses, lit.losses, rtol=0.025)
+    np.testing.assert_allclose(lit.wider.losses, lit.losses, rtol=0.06)
