@@ -108,7 +108,7 @@ def sought(
     if strain(found) <= np.log1p(NEAR):
         return found, ""
     lights = [each.light for search in searches for each in search.found]
-    low, high = min(lights) / (1 + NEAR), max(lights) * (1 + NEAR)
+    low, high = np.ceil(min(lights) / (1 + NEAR)), np.floor(max(lights) * (1 + NEAR))
     why = f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {dhi:g}"
     return found, why
 
