@@ -1,7 +1,8 @@
 """Random hours of weather files whose light clouds are to carry: python benchmarks/measured_light.py FILE ...
 
-Of each file 17 hours with the sun over 5 degrees and diffuse light of 1 W m-2 or more: what was found, its last
-factors, the light of the result over that measured (`sd.broadband`), processor seconds.
+Of each file 17 hours with the sun over 5 degrees and diffuse light of 1 W m-2 or more, and 6 with the sun at 0.5-5
+degrees: what was found, its last factors, the light of the result over that measured (`sd.broadband`), processor
+seconds.
 """
 
 import sys
@@ -13,21 +14,30 @@ import skydome as sd
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.years.weather.sun_of_interval import lit_sun
 
-HOURS, SEED, LOWEST = 17, 5, 5.0
+SUNS = ((5.0, 90.0, 17, 5), (0.5, 5.0, 6, 6))
+"""Lowest and highest sun, degrees, how many hours of a file, and the seed of their choice."""
 
 
 def main(files: list[str]) -> None:
     """One line an hour."""
-    rng = np.random.default_rng(SEED)
-    for path in files:
-        weather = sd.read_weather(path, shift="auto")
-        sun, direct, diffuse = lit_sun(weather), weather.direct_normal, weather.diffuse_horizontal
-        high = (sun.directions[:, 2] > np.sin(np.radians(LOWEST))) & (sun.lit > 0.99)
-        hours = np.flatnonzero(high & (diffuse >= 1) & np.isfinite(direct))
-        pressure = 101325 * (1 - 2.25577e-5 * weather.place.altitude) ** 5.25588
-        for k in sorted(rng.choice(hours, HOURS, replace=False)):
-            told = carried(float(direct[k]), float(diffuse[k]), sun.directions[k], clear_air(pressure=pressure))
-            print(f"{weather.local[k]} {direct[k]:5.0f} {diffuse[k]:4.0f}: {told}", flush=True)
+    for low, high, count, seed in SUNS:
+        rng = np.random.default_rng(seed)
+        print(f"the sun at {low:g}-{high:g} degrees")
+        for path in files:
+            of_file(path, low, high, count, rng)
+
+
+def of_file(path: str, low: float, high: float, count: int, rng: np.random.Generator) -> None:
+    """The hours of a file."""
+    weather = sd.read_weather(path, shift="auto")
+    sun, direct, diffuse = lit_sun(weather), weather.direct_normal, weather.diffuse_horizontal
+    sine, lit = sun.directions[:, 2], sun.lit > (0.99 if low >= 5 else 0)
+    there = (sine > np.sin(np.radians(low))) & (sine < np.sin(np.radians(high)) + (high == 90)) & lit
+    hours = np.flatnonzero(there & (diffuse >= 1) & np.isfinite(direct))
+    pressure = 101325 * (1 - 2.25577e-5 * weather.place.altitude) ** 5.25588
+    for k in sorted(rng.choice(hours, count, replace=False)):
+        told = carried(float(direct[k]), float(diffuse[k]), sun.directions[k], clear_air(pressure=pressure))
+        print(f"{weather.local[k]} {direct[k]:5.0f} {diffuse[k]:4.0f}: {told}", flush=True)
 
 
 def carried(dni: float, dhi: float, sun: np.ndarray, air: sd.Atmosphere) -> str:

@@ -53,7 +53,7 @@ KERNEL_PAIRS = (
     ),
     Pair(
         "skies.clouds.fields.incident:Incident",
-        "skies.clouds.fields.air_kernel:put_together",
+        "skies.clouds.fields.air.before_kernel:put_together",
         "skies/clouds/fields/test_cloud_fields.py::test_air_before_the_cloud_is_the_same_compiled",
     ),
     Pair(

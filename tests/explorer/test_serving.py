@@ -79,6 +79,10 @@ def test_skies_have_addresses():
     assert told.endswith("&albedo=0.3&turbidity=4.0907&aerosol=urban&ozone=300")
     letters = sd.Perez(sun, -0.9, -0.2, 6.0, -3.5, 0.3, illuminance=9000.0)
     assert address_of(letters).endswith("&letters=-0.9,-0.2,6,-3.5,0.3&lux=9000")
+    cloudy = sd.CloudySky(sd.PhysicalSky(sun, air), sd.CloudField(sd.Cirrus(), cover=0.3, seed=7))
+    assert address_of(cloudy + sd.SunDisc.of(cloudy)) == told + "&clouds=cirrus&clouded=0.3&seed=7"
+    with pytest.raises(ValueError, match="got another field of Cumulus"):
+        address_of(sd.CloudySky(sd.PhysicalSky(sun), sd.CloudField(base=900.0)))
     assert address_of(sd.OvercastSky(sun, 12.0, 0.3, kind=sd.Ice())) == (
         "?v=1&model=overcast&sun=200,40&albedo=0.3&depth=12&particles=ice"
     )

@@ -58,7 +58,7 @@ const hasClouds = ({ state, model }: Scene): boolean => state.clouds !== "" && m
 /** Python of those clouds. */
 function fieldOf({ state }: Scene): string {
   const kind = state.clouds[0].toUpperCase() + state.clouds.slice(1);
-  return `sd.CloudField(sd.${kind}(), cover=${short(state.clouded, 2)}, seed=${state.seed})`;
+  return `sd.CloudField(sd.${kind}(), cover=${short(state.clouded)}, seed=${state.seed})`;
 }
 
 /** Python that makes the map of every light of a night's hour. */
@@ -134,7 +134,7 @@ export function asCommand(scene: Scene): string {
     if (state.ozone !== 330) told.push(`--ozone ${short(state.ozone, 0)}`);
   }
   if (model.own?.includes("particles") && state.particles !== "water") told.push(`--cloud-kind ${state.particles}`);
-  if (hasClouds(scene)) told.push(`--clouds ${state.clouds}`, `--cover ${short(state.clouded, 2)}`, `--seed ${state.seed}`);
+  if (hasClouds(scene)) told.push(`--clouds ${state.clouds}`, `--cover ${short(state.clouded)}`, `--seed ${state.seed}`);
   if (isBlended(scene)) told.push(`--blend-overcast ${short(state.cover, 2)}`, `--cloud-depth ${short(state.depth, 1)}`);
   const hazy = isOfDisc(model) && model.turbidity ? [`--turbidity ${short(state.turbidity, 2)}`] : [];
   return ["skydome render", sun, `--model ${model.name}`, ...told, ...hazy, `--target ${state.target}`, "-o sky.exr"].join(" ") + "\n";

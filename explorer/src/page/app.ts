@@ -154,7 +154,7 @@ export class Explorer {
     this.places.follow(this.scene);
     const dark = this.scene.skies.every((sky) => !sky.day);
     this.empty.hidden = !dark;
-    if (dark) tell(this.empty, this.scene.sun[2] > 0 ? "No light: the irradiances are 0" : this.scene.model.lowest < 0 ? "Night without a moon, its stars switched off" : "The sun has set: this model ends at the horizon");
+    if (dark) tell(this.empty, this.scene.sun[2] > 0 ? "No light: the irradiances are 0" : this.scene.model.lowest < 0 ? "Night without a moon, its stars switched off" : this.scene.model.name === "overcast" && !this.state.sun ? "The sun has set: the command has the night under this cloud" : "The sun has set: this model ends at the horizon");
     if (this.pointer) this.ask(...this.pointer);
   }
 

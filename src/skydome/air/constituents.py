@@ -1,8 +1,8 @@
 """What air is made of: molecules that scatter, aerosol that scatters and absorbs, ozone that absorbs."""
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,6 +32,13 @@ def at(value: Any, wavelengths: Any) -> Array:
         return value.at(w)
     number = floating(value)
     return number[..., None] * constant(np.ones(w.shape), number)
+
+
+def times(value: Any, share: float) -> Any:
+    """A number, numbers, or a `Spectrum`, a share of it."""
+    if isinstance(value, Spectrum):
+        return Spectrum(value.wavelengths, np.asarray(value.values) * share)
+    return floating(value) * share
 
 
 def along(factors: Array, number: Any) -> Array:
@@ -66,6 +73,10 @@ class Constituent(HeldBySky, ABC):
     def phase_law(self) -> PhaseLaw:
         """How the scattered light is spread."""
 
+    def of_share(self, share: float) -> Self:
+        """The same of a share of the column. TypeError for what has no way to tell."""
+        raise TypeError(f"{type(self).__name__} is not known by shares of its column")
+
 
 @dataclass(frozen=True)
 class Molecules(Constituent):
@@ -93,6 +104,11 @@ class Molecules(Constituent):
         if self.optical_depth is not None:
             return at(self.optical_depth, wavelengths)
         return along(rayleigh_depth(wavelengths), floating(self.pressure) / STANDARD_PRESSURE)
+
+    def of_share(self, share: float) -> Self:
+        """Under a share of the pressure."""
+        depth = None if self.optical_depth is None else times(self.optical_depth, share)
+        return replace(self, pressure=times(self.pressure, share), optical_depth=depth)
 
     def scattered(self, wavelengths: ArrayLike) -> Array:
         """All of it."""
@@ -139,6 +155,10 @@ class Aerosol(Constituent):
         """The phase law given."""
         return self.phase
 
+    def of_share(self, share: float) -> Self:
+        """Of a share of the optical depth."""
+        return replace(self, optical_depth=times(self.optical_depth, share))
+
 
 @dataclass(frozen=True)
 class AbsorbingGas(Constituent):
@@ -158,6 +178,10 @@ class AbsorbingGas(Constituent):
     def scattered(self, wavelengths: ArrayLike) -> Array:
         """Nothing."""
         return at(0.0, wavelengths)
+
+    def of_share(self, share: float) -> Self:
+        """Of a share of the column."""
+        return replace(self, column=times(self.column, share))
 
     @property
     def phase_law(self) -> PhaseLaw:

@@ -15,6 +15,9 @@ from skydome.ground.units import deg
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.taught_air import kinds
 from skydome.skies.catalogue import CATALOGUE
+from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, Cumulus, Stratocumulus
+from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.clouds.overcast import OvercastSky
 from skydome.skies.perez import Perez
 from skydome.skies.sky import Sky
@@ -23,6 +26,9 @@ from skydome.sun.place import Place
 
 VERSION = 1
 """Of the meaning of the names in an address, as the page has it."""
+SHOWN = (Cumulus, Stratocumulus, Altocumulus, Cirrus)
+MOST_SEED = 999
+"""Kinds of clouds in the page, and seeds."""
 KEYS = {
     "turbidity": "turbidity",
     "albedo": "albedo",
@@ -78,6 +84,10 @@ def address_of(sky: Sky) -> str:
     """
     rest = [part.single[0] for part in sky.parts if not isinstance(part.single[0], SunDisc)]
     inner = rest[0] if len(rest) == 1 else sky
+    clouds: dict[str, str] = {}
+    if isinstance(inner, CloudySky):
+        clouds, rest = clouds_in_words(inner.field), [inner.clear]
+        inner = inner.clear
     lit = inner.sunlit if len(rest) == 1 else None
     if lit is not None:
         inner = lit
@@ -98,7 +108,22 @@ def address_of(sky: Sky) -> str:
         told |= air_in_words(inner.atmosphere)
     if isinstance(inner, OvercastSky):
         told["particles"] = inner.kind.name
-    return address(**told)
+    return address(**told | clouds)
+
+
+def clouds_in_words(field: CloudField) -> dict[str, str]:
+    """Kind, cover and seed of a field of cloud by their names in the address; ValueError for other sizes than usual.
+
+    >>> clouds_in_words(CloudField(cover=0.3, seed=7))
+    {'clouds': 'cumulus', 'clouded': '0.3', 'seed': '7'}
+    """
+    usual = CloudField(type(field.kind)(), field.cover, seed=field.seed, wind=field.wind)
+    if not isinstance(field.kind, SHOWN) or field != usual or field.seed > MOST_SEED:
+        raise ValueError(
+            f"the explorer shows {', '.join(kind.name for kind in SHOWN)} of usual sizes and particles from the place "
+            f"(0, 0), seeds up to {MOST_SEED}, got another field of {type(field.kind).__name__}"
+        )
+    return {"clouds": field.kind.name, "clouded": plain(field.cover), "seed": str(field.seed)}
 
 
 def air_in_words(air: Atmosphere) -> dict[str, str]:

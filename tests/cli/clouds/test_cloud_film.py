@@ -1,12 +1,15 @@
 """`skydome animate --weather`: every frame has a row's light, by clouds that have it or the nearest ones."""
 
 import json
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.cli.clouds import film as films
 from skydome.cli.clouds.film import LightOrder, light_film
+from skydome.cli.clouds.kinds import kind_named
 
 pytest.importorskip("numba")
 TAPE = """place Turin
@@ -21,6 +24,19 @@ weather_data_file_units 1
 6 21 12.500 860 120
 6 21 23.500 0 0
 """
+
+
+@dataclass(frozen=True)
+class Coarse(sd.Cumulus):
+    """Cumulus of few places, so that a try costs little."""
+
+    count, levels = 64, 16
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    """Cumulus by name is the coarse one: what a film does is the same."""
+    monkeypatch.setattr(films, "kind_named", lambda name: Coarse() if name == "cumulus" else kind_named(name))
 
 
 @pytest.fixture

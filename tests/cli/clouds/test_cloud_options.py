@@ -1,5 +1,6 @@
 """--clouds, --cover and --seed: what they make, and what is refused in one line."""
 
+import numpy as np
 import pytest
 
 import skydome as sd
@@ -40,7 +41,7 @@ def test_the_clouds_are_those_asked_for():
         ((*MEASURED, "--dni", 1500, "--dhi", 100), "dni must lie in [0, 136"),
         ((*MEASURED, "--dni", 0, "--dhi", 0), "dhi must be 1 W m-2 or more"),
         ((*MEASURED, "--dni", 1200, "--dhi", 50), "through the clearest air here, got 1200"),
-        (("--sun", "200,1", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "2 degrees above the horizon"),
+        (("--sun", "200,0.3", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "0.5 degrees above the horizon"),
         (("--clouds", "cumulus"), "the sun must be given"),
     ],
 )
@@ -69,6 +70,14 @@ def test_what_measured_light_was_made_of_is_told():
         f"air: found for that light, an aerosol depth of {haze:.3f} at 550 nm, ozone 330 DU"
     ]
     assert (scene.clouds.field.base, scene.clouds.field.top) == (600.0, 900.0)
+
+
+def test_land_lies_in_the_air_that_was_found(call, tmp_path):
+    np.savez(tmp_path / "land.npz", elevation=np.zeros((8, 8)), dx=1e-3, dy=1e-3, xmin=7.0, ymin=45.0)
+    asked = ("terrain", tmp_path / "land.npz", *MEASURED, "--dni", 400, "--dhi", 200, "--camera", "0,0,90")
+    shown = call(*asked, "--size", "4,2", "-o", tmp_path / "view.png")
+    assert shown.exit_code == 0, shown.stderr
+    assert "an aerosol depth of 0.1" in shown.stdout
 
 
 @pytest.mark.parametrize("command", ["daylight", "glare", "year", "explore", "sun", "convert"])

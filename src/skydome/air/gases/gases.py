@@ -54,6 +54,11 @@ class Gases(HeldBySky):
         """The gases where the pressure is so many times as large; the water stays."""
         return replace(self, pressure=self.pressure * share)
 
+    def above(self, height: float) -> Self:
+        """What of them lies above a height, m."""
+        wet, mixed = (float(profile.above(height)) for profile in self.profiles)
+        return replace(self, water=self.water * wet, pressure=self.pressure * mixed)
+
     def part(self, taken: Callable[[Any], Any]) -> "Gases":
         """Of numbers that are arrays, what is taken of them."""
         water, pressure = (taken(v) if np.ndim(v) else v for v in (self.water, self.pressure))

@@ -10,6 +10,7 @@ from skydome.cli.options import SkyOptions, numbers, set_by_name
 from skydome.ground.extras import required
 
 if TYPE_CHECKING:
+    from skydome.dome.energy.measured_clouds import MeasuredClouds
     from skydome.skies.clouds.fields.field import CloudField
 
 USUAL_COVER = 0.4
@@ -111,16 +112,18 @@ def with_clouds(clear: Any, options: SkyOptions) -> Clouded:
     scale = f"light: {dni:g} direct normal, {dhi:g} W m-2 diffuse; the last factors were"
     notes = [told(found.field), f"{scale} {found.direct_factor:.3f} and {found.diffuse_factor:.3f}"]
     clear_disc = sd.SunDisc.of(found.cloudy.clear)
-    return Clouded(found.sky, found.disc, found.field, clear_disc, notes, air_of(found.cloudy.clear.atmosphere))
+    return Clouded(found.sky, found.disc, found.field, clear_disc, notes, air_of(found))
 
 
-def air_of(air: Any) -> str:
+def air_of(found: "MeasuredClouds") -> str:
     """A line on the air that was found."""
     from skydome.air.constituents import Aerosol, Ozone
 
+    air = found.cloudy.clear.atmosphere
     haze = sum(part.optical_depth for part in air.constituents if isinstance(part, Aerosol))
     ozone = sum(part.column for part in air.constituents if isinstance(part, Ozone))
-    return f"air: found for that light, an aerosol depth of {haze:.3f} at 550 nm, ozone {ozone:g} DU"
+    dark = f" of darkness {found.darkness:g}" if found.darkness else ""
+    return f"air: found for that light, an aerosol depth of {haze:.3f} at 550 nm{dark}, ozone {ozone:g} DU"
 
 
 def told(field: "CloudField") -> str:

@@ -64,9 +64,10 @@ def terrain(
     surface, laid = (
         (albedo, ()) if texture is None else read_texture(texture, land, float(albedo @ np.asarray(SRGB.to_xyz[1])))
     )
-    haze = options.turbidity or 3.0 if own_air(scene.whole) is None else None
     grey = float(np.mean(surface, axis=tuple(range(np.ndim(surface) - 1))) @ np.asarray(SRGB.to_xyz[1]))
     field, lit, whole = clouds_over(scene)
+    of_sun = None if scene.disc is None else scene.disc.haze
+    haze = options.turbidity or of_sun or 3.0 if own_air(whole) is None else None
     air = None if no_air else AirLight(whole, None, haze, grey, meets_horizon=not own_haze)
     with progress("rendering") as report:
         picture = render_terrain(land, view, lit, air, surface, samples, curvature, progress=report, clouds=field)

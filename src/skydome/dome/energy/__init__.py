@@ -2,6 +2,7 @@
 
 - weighted         The light of sun and sky on the horizontal, weighted by what each wavelength does
 - broadband        Broadband irradiance of sun and sky
+- dark_air         Air of less diffuse light: aerosol that absorbs, soot over dark ground
 - measured_air     Clear air for measured light: how hazy
 - cloud_course     Fields from a few clouds to a dark cover, and what stands before the sun
 - cloud_search     The search along them for a diffuse irradiance

@@ -6,11 +6,9 @@ from typing import Any
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.constituents import Aerosol
 from skydome.dome.energy.measured_air import hazy
 from skydome.dome.energy.measured_clouds import MeasuredClouds
 from skydome.dome.energy.nearest_clouds import nearest_clouds, on_place
-from skydome.light.spectrum import Spectrum
 from skydome.skies.all_air.taught_air import clear_air
 from skydome.skies.clouds.fields.field import CloudField
 
@@ -31,7 +29,7 @@ class Anchor:
 
     place: float
     haze: float
-    scattered: float | None
+    darkness: float
     why: str
 
 
@@ -59,22 +57,19 @@ class DriftingClouds:
     ) -> tuple[MeasuredClouds, str]:
         """The sky that carries `dni` and `dhi` then, as `nearest_clouds`; and why a row beside it has large factors."""
         air = clear_air() if air is None else air
-        place, haze, scattered, why = self.between(seconds, air)
-        clear = hazy(air, haze, np.asarray(sun, np.float64), scattered)
+        place, haze, darkness, why = self.between(seconds, air)
+        clear = hazy(air, haze, np.asarray(sun, np.float64), darkness)
         return on_place(dni, dhi, clear, self.start.later(seconds - self.rows[0].seconds), place), why
 
-    def between(self, seconds: float, air: Atmosphere) -> tuple[float, float, float | None, str]:
-        """Place, haze and what aerosol scatters then, between the anchors before and after; why a row is none."""
+    def between(self, seconds: float, air: Atmosphere) -> tuple[float, float, float, str]:
+        """Place, haze and darkness of the air then, between the anchors before and after; why a row is none."""
         times = np.array([row.seconds for row in self.rows])
         after = int(np.clip(np.searchsorted(times, seconds), 0, len(times) - 1))
         before = max(after - 1, 0) if seconds < times[after] else after
         a, b = self.anchor(before, air), self.anchor(after, air)
-        part = np.clip((seconds - times[before]) / max(times[after] - times[before], 1.0), 0.0, 1.0)
-        haze = a.haze * (b.haze / a.haze) ** part
-        scattered = None  # where it is a spectrum of the air's own, which `hazy` leaves as it is
-        if a.scattered is not None and b.scattered is not None:
-            scattered = a.scattered + (b.scattered - a.scattered) * float(part)
-        return float(a.place + (b.place - a.place) * part), float(haze), scattered, (b if part > 0.5 else a).why
+        part = float(np.clip((seconds - times[before]) / max(times[after] - times[before], 1.0), 0.0, 1.0))
+        haze, why = a.haze * (b.haze / a.haze) ** part, (b if part > 0.5 else a).why
+        return a.place + (b.place - a.place) * part, haze, a.darkness + (b.darkness - a.darkness) * part, why
 
     def anchor(self, index: int, air: Atmosphere) -> Anchor:
         """What carries a row's light."""
@@ -82,8 +77,5 @@ class DriftingClouds:
             row = self.rows[index]
             there = self.start.later(row.seconds - self.rows[0].seconds)
             found, why = nearest_clouds(row.dni, row.dhi, row.sun, there, air)
-            parts = found.cloudy.clear.atmosphere.constituents
-            haze = next(part for part in parts if isinstance(part, Aerosol))
-            scattered = None if isinstance(haze.albedo, Spectrum) else float(haze.albedo)
-            self.known[index] = Anchor(found.place, float(haze.optical_depth), scattered, why)
+            self.known[index] = Anchor(found.place, found.haze, found.darkness, why)
         return self.known[index]

@@ -1,14 +1,13 @@
 """Clear air for measured light: of how much haze its sun and its own diffuse light come near what was measured."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import cast
 
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.constituents import Aerosol
+from skydome.dome.energy.dark_air import DARK, dark_air
 from skydome.dome.energy.weighted import weights_of
 from skydome.ground.quadrature import hemisphere
 from skydome.ground.tables import columns
@@ -19,17 +18,15 @@ from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.suns.sun_disc import SunDisc
 
-HAZES = np.array([0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.22, 0.3, 0.4, 0.6, 0.9])
+HAZES = np.array([0.003, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.22, 0.3, 0.4, 0.6, 0.9])
 """Optical depths of aerosol at 550 nm that are looked among."""
-USUAL_HAZE = 4
-FEW = 4
-"""Hazes whose sun is near enough to look at."""
-DARK = (None, 0.75, 0.6)
-"""Shares that aerosol scatters of what it takes, the usual one first, for measured clear skies that are darker."""
+USUAL_HAZE = 5
+FEW, FINER = 4, (0.75, 0.87, 1.15, 1.33)
+"""Hazes whose sun is near enough to look at; parts of the best that are looked at too."""
 CLOUDLESS = 0.85
 """Share of the clear sun from which on no cloud is taken to stand before it."""
-FINE, QUICK = (1, 2), (5, 4)
-"""Every so many wavelengths, and coarseness: of what light is set by, and what it is sought by."""
+FINE, QUICK = (1, 2, 6), (5, 4, 3)
+"""Every so many wavelengths, coarseness, and bands: of what light is set by, and what it is sought by."""
 NEAR = 0.1
 """Greatest part by which light may be moved in the end; what needs more is refused."""
 
@@ -42,13 +39,18 @@ class Measure:
     every: int
     coarseness: int
     """Places of a field's shape along a side of the cells in which its light is diffused."""
+    bands: int
+    """Channels that the spectrum is told in: air and cloud are taken as one colour in each."""
 
     @cached_property
     def channels(self) -> Channels:
-        """The whole spectrum's energy."""
+        """The whole spectrum's energy, in bands of as much sunlight each."""
         known = columns("spectrl2_gases")["wavelength_nm"]
         known = known[(known >= WAVELENGTHS.low) & (known <= WAVELENGTHS.high)][:: self.every]
-        return Channels(known, weights_of(self.sky.atmosphere, known, np.ones_like)[:, None])
+        energy = weights_of(self.sky.atmosphere, known, np.ones_like)
+        sunlight = np.cumsum(energy * self.sky.atmosphere.sun_at(known))
+        band = np.minimum((self.bands * sunlight / sunlight[-1]).astype(int), self.bands - 1)
+        return Channels(known, energy[:, None] * np.eye(self.bands)[band])
 
     @cached_property
     def nodes(self) -> tuple[np.ndarray, np.ndarray]:
@@ -58,7 +60,7 @@ class Measure:
 
     @cached_property
     def light(self) -> np.ndarray:
-        """Radiance of the nodes, W m-2 sr-1, (D, 1)."""
+        """Radiance of the nodes by bands, W m-2 sr-1, (D, C)."""
         views = self.nodes[0]
         half = self.sky.radiance(views[: len(views) // 2], self.channels.wavelengths) @ self.channels.weights
         return np.concatenate([half, half])  # the other half mirrors it
@@ -66,7 +68,7 @@ class Measure:
     @cached_property
     def alone(self) -> float:
         """Diffuse horizontal irradiance without cloud, W m-2."""
-        return float(self.nodes[1] @ self.light[:, 0])
+        return float((self.nodes[1] @ self.light).sum())
 
     def behind(self, field: CloudField) -> float:
         """The same with a field before it."""
@@ -77,14 +79,19 @@ class Measure:
         if lit.field.cover <= 0:
             return self.alone
         views, weights = self.nodes
-        return float(weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)[:, 0])
+        return float((weights @ Incident(self.sky, lit, self.channels).behind(self.light, views)).sum())
 
 
 @dataclass(frozen=True, eq=False)
 class Clear:
-    """A clear sky under a sun, and its energy: by a quick measure to search with, and a fine one."""
+    """A clear sky under a sun, and its energy: by a quick measure to search with, and a fine one.
+
+    `depth`, `darkness`: its aerosol's, as of `dark_air`.
+    """
 
     sky: PhysicalSky
+    depth: float
+    darkness: float
 
     @property
     def toward(self) -> np.ndarray:
@@ -97,6 +104,10 @@ class Clear:
         known = columns("spectrl2_gases")["wavelength_nm"]
         known = known[known <= 3900.0]
         return float(SunDisc.of(self.sky).irradiance(known) @ weights_of(self.sky.atmosphere, known, np.ones_like))
+
+    def off(self, dni: float, dhi: float) -> float:
+        """How far the sun's and the sky's own light are from those, the greater as a logarithm."""
+        return float(np.abs(np.log([self.beam / dni, self.quick.alone / dhi])).max())
 
     @cached_property
     def quick(self) -> Measure:
@@ -133,14 +144,12 @@ def airs_for(dni: float, dhi: float, sun: np.ndarray, air: Atmosphere) -> Iterat
 def nearest(dni: float, dhi: float, air: Atmosphere, skies: list[Clear]) -> Clear:
     """The clear sky whose sun and diffuse light come nearest, of airs like those of `skies` or darker."""
     depths = sorted(zip(HAZES, skies, strict=False), key=lambda each: abs(np.log(each[1].beam / dni)))[:FEW]
-    tried = [hazy(air, depth, clear.toward, share) for depth, clear in depths for share in DARK]
-    return min(tried, key=lambda clear: max(abs(np.log(clear.beam / dni)), abs(np.log(clear.fine.alone / dhi))))
+    tried = [hazy(air, depth, clear.toward, dark) for depth, clear in depths for dark in DARK]
+    best = min(tried, key=lambda clear: clear.off(dni, dhi))
+    finer = [hazy(air, best.depth * each, best.toward, best.darkness) for each in FINER]
+    return min([best, *finer], key=lambda clear: clear.off(dni, dhi))
 
 
-def hazy(air: Atmosphere, depth: float, sun: np.ndarray, scattered: float | None = None) -> Clear:
-    """The sky of an air with an aerosol of so much depth, of which a share is scattered."""
-    low = next(n for n, part in enumerate(air.constituents) if isinstance(part, Aerosol))
-    parts = list(air.constituents)
-    aerosol = replace(cast(Aerosol, parts[low]), optical_depth=depth)
-    parts[low] = aerosol if scattered is None else replace(aerosol, albedo=scattered)
-    return Clear(PhysicalSky(sun, replace(air, constituents=tuple(parts)), check="clamp"))
+def hazy(air: Atmosphere, depth: float, sun: np.ndarray, darkness: float = 0.0) -> Clear:
+    """The sky of an air with an aerosol of so much depth, and so dark."""
+    return Clear(PhysicalSky(sun, dark_air(air, depth, darkness), check="clamp"), depth, darkness)

@@ -21,7 +21,7 @@ from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.suns.sun_disc import SunDisc
 
-LOWEST = 2.0
+LOWEST = 0.5
 """Elevation of the sun, degrees, from which on clouds are looked for."""
 
 
@@ -30,9 +30,10 @@ class MeasuredClouds:
     """A sky with clouds that carries measured light: `whole` is `sky` with the sun's `disc`.
 
     `diffuse_factor`, `direct_factor`: by what the sky's and the disc's light were multiplied in the end, near 1.
-    `place`: of the field on the course from no cloud, 0, over many bright ones to a dark cover.
+    `place`: of the field on the course from no cloud, 0, over many bright ones to a dark cover. `haze`: optical depth
+    of the air's aerosol at 550 nm. `darkness`: 0 of the usual air, 1 of an aerosol that absorbs, 2 of soot over ground
+    half as bright.
 
-    >>> import skydome as sd
     >>> found = clouds_for(900.0, 110.0, sd.direction(azimuth=200 * sd.deg, elevation=50 * sd.deg))
     >>> 0.9 < found.diffuse_factor < 1.1
     True
@@ -44,6 +45,8 @@ class MeasuredClouds:
     diffuse_factor: float
     direct_factor: float
     place: float = 0.0
+    haze: float = 0.0
+    darkness: float = 0.0
 
     @property
     def whole(self) -> SpectralSky:
@@ -68,7 +71,7 @@ def clouds_for(
 
     Looks for the air's haze, the cover and density of `field`, and how much thicker or thinner it must be before the
     `sun` (3,). A last factor on sky and disc is told, below 10 %. ValueError in one line for light that the sun cannot
-    give, with what it can. The sun at 2 degrees or more.
+    give, with what it can. The sun at half a degree or more.
 
     >>> import skydome as sd
     >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=40 * sd.deg)
@@ -105,7 +108,7 @@ def sought(
     if strain(found) <= np.log1p(NEAR):
         return found, ""
     lights = [each.light for search in searches for each in search.found]
-    low, high = min(lights) / (1 + NEAR), max(lights) * (1 + NEAR)
+    low, high = np.ceil(min(lights) / (1 + NEAR)), np.floor(max(lights) * (1 + NEAR))
     why = f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {dhi:g}"
     return found, why
 
@@ -117,7 +120,8 @@ def carried(dni: float, dhi: float, clear: Clear, cloudy: CloudySky, step: Step)
     level = np.asarray(disc.normal_xyz)[..., 1] * dni / clear.beam
     dimmed = replace(disc, direct_normal_illuminance=level)
     diffuse = dhi / step.light
-    return MeasuredClouds(cloudy * diffuse, dimmed, cloudy, diffuse, float(direct), step.place)  # type: ignore[arg-type]
+    told = (diffuse, float(direct), step.place, clear.depth, clear.darkness)
+    return MeasuredClouds(cloudy * diffuse, dimmed, cloudy, *told)  # type: ignore[arg-type]
 
 
 def strain(found: MeasuredClouds) -> float:

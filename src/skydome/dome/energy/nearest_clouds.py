@@ -27,10 +27,10 @@ def nearest_clouds(
     too low to look for one. ValueError for light below nothing, or none of the sky's.
 
     >>> import skydome as sd
-    >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=1.5 * sd.deg)
-    >>> found, why = nearest_clouds(30.0, 12.0, sun, CloudField())
+    >>> sun = sd.direction(azimuth=200 * sd.deg, elevation=0.3 * sd.deg)
+    >>> found, why = nearest_clouds(10.0, 5.0, sun, CloudField())
     >>> why, bool(0.1 < found.diffuse_factor < 10)
-    ('the sun stands at 1.5 degrees, and clouds are looked for from 2 degrees on', True)
+    ('the sun stands at 0.3 degrees, and clouds are looked for from 0.5 degrees on', True)
     """
     if not (0 <= dni < ANY and 0 < dhi < ANY):
         raise ValueError(f"dni must be at least 0 and dhi more than 0 W m-2, both finite, got {dni:g} and {dhi:g}")

@@ -10,8 +10,8 @@
 - transport/       Light scattered more than once: discrete ordinates through a coarse grid
 - lit_field        A field under its lights: depths toward the sun, scattered light of sun, sky and ground
 - march_kernel     Rays through a lit field, compiled
+- air/             The air about a field: above, below, between eye and cloud
 - incident         The light of a clear sky on a field, in channels, and the air before the cloud
-- air_kernel       Both put together, compiled
 - sky              A sky of clouds
 - shadows          What a field lets straight through of the sun, over the ground: shadows as a map
 - reference        A sky of clouds by brute force: paths of light through the field, with standard errors

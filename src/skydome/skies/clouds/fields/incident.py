@@ -1,5 +1,7 @@
 """The light of a clear sky on a field of cloud, in channels: sun, sky and ground at the cloud, and the air before it.
 
+What the sun gives that air straight keeps its pattern, as much of it as comes through the field; what diffuse light
+gives it follows from what comes through the cloud and up from the ground (`air.lower`).
 A channel is a weighted sum of wavelengths: one wavelength, CIE X, Y, Z, or the whole spectrum's energy. The cloud's
 extinction is grey; its law and what it absorbs are the particles' by wavelength.
 """
@@ -19,6 +21,10 @@ from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.sky import PhysicalSky
+from skydome.skies.clouds.fields.air.above import Skylight, skylight
+from skydome.skies.clouds.fields.air.before import LEAST, VIEWS, AirBefore
+from skydome.skies.clouds.fields.air.exchange import EVEN, GROUND, Exchange, Shares
+from skydome.skies.clouds.fields.air.lower import LowerAir
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.colour_sky import SpectralSky
@@ -26,11 +32,8 @@ from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 RINGS, COLUMNS = 16, 32
 """Nodes of the sky's light on a level plane."""
-VIEWS, AROUND = 48, 12
-"""Elevations, crowded at the horizon, of tables of the air, and azimuths that a mean sky is taken over."""
-LEVELS = 3
-"""Heights in the layer of cloud of the same tables."""
-LEAST = 1e-30
+AROUND = 12
+"""Azimuths that a mean sky is taken over."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,17 +73,21 @@ class Incident:
         return np.stack([np.asarray(part.depth(self.channels.wavelengths)) for part in self.air.constituents])
 
     @cached_property
-    def heights(self) -> np.ndarray:
-        """Of the tables, m, (LEVELS,)."""
-        return np.linspace(self.lit.field.base, self.lit.field.top, LEVELS)
+    def before(self) -> AirBefore:
+        """The air between eye and cloud."""
+        return AirBefore(self.air, self.depths, self.lit.field.base, self.lit.field.top)
+
+    @cached_property
+    def lower(self) -> LowerAir:
+        """The air below the field."""
+        return LowerAir(self.air, self.lit.field.base, self.channels.wavelengths)
 
     def beam(self, height: float) -> np.ndarray:
         """Irradiance of the sun on a plane that faces it at a height, as it is seen from there, W m-2 nm-1, (W,)."""
         tables, w, air = ColumnTables.of(self.air), self.channels.wavelengths, self.air
         at, standing = np.array(height), np.arcsin(np.clip(np.asarray(self.clear.toward, np.float64)[2], -1.0, 1.0))
         seen, share = tables.seen(at, standing)
-        sine = np.asarray(np.sin(seen))
-        light = np.exp(-tables.toward(at, sine) @ self.depths) * air.sun_at(w) * share
+        light = np.exp(-tables.toward(at, sine := np.asarray(np.sin(seen))) @ self.depths) * air.sun_at(w) * share
         if air.gases is None:
             return np.asarray(light)
         gases = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(at, sine)
@@ -89,7 +96,7 @@ class Incident:
     @cached_property
     def sun(self) -> np.ndarray:
         """Irradiance of the sun on a plane that faces it at the cloud, (W,)."""
-        return self.beam(float(self.heights[LEVELS // 2]))
+        return self.beam((self.lit.field.base + self.lit.field.top) / 2)
 
     @cached_property
     def scattering(self) -> Scattering:
@@ -109,18 +116,46 @@ class Incident:
         return np.asarray((solid_angles * nodes[:, 2]) @ self.clear.radiance(nodes, self.channels.wavelengths))
 
     @cached_property
-    def down(self) -> np.ndarray:
-        """Irradiance below the field on the horizontal: what comes through, to and fro between it and ground, (W,)."""
-        lit, (by_sun, by_sky, by_ground) = self.lit, self.dimming
-        direct, of_sun, of_sky, back = lit.budget
-        down = self.sun_below * max(lit.sun[2], 0.0) * direct + self.sun * of_sun * by_sun + self.sky * of_sky * by_sky
-        albedo = np.asarray(self.air.albedo_at(self.channels.wavelengths))
-        return np.asarray(down / (1 - albedo * back * by_ground))
+    def clear_down(self) -> np.ndarray:
+        """What comes down on the ground without cloud, (W,)."""
+        return np.asarray(self.sun_below * max(self.lit.sun[2], 0.0) + self.sky)
 
     @cached_property
-    def ground(self) -> np.ndarray:
-        """Irradiance that the ground sends up, (W,)."""
-        return np.asarray(self.air.albedo_at(self.channels.wavelengths) * self.down)
+    def albedo(self) -> np.ndarray:
+        """The ground's, (W,)."""
+        return np.asarray(self.air.albedo_at(self.channels.wavelengths))
+
+    @cached_property
+    def shares(self) -> Shares:
+        """What the field makes of diffuse light."""
+        return Shares.of(self.lit)
+
+    @cached_property
+    def upon(self) -> Skylight:
+        """The sky's light on the field's top; that sky lies over the field, which sends light back up."""
+        mirrored, beam = self.shares.seen_from_above(self.dimming[2], self.albedo), self.sun * max(self.lit.sun[2], 0.0)
+        return skylight(self.clear, self.lit.field.top, self.channels.wavelengths, beam, mirrored)
+
+    @property
+    def field_sky(self) -> np.ndarray:
+        """Even skylight of which the field lets as much through, (W,)."""
+        return self.upon.even(self.shares.open)
+
+    @cached_property
+    def direct(self) -> float:
+        """Share of the sun's light that comes straight to the air below the field, over the round earth."""
+        radius, sine = self.air.radius, float(self.lit.sun[2])
+        return self.lit.straight(np.sqrt(1 - (1 - sine**2) * (radius / (radius + self.lit.field.base)) ** 2))
+
+    @cached_property
+    def exchange(self) -> Exchange:
+        """Light to and fro between field, lower air and ground."""
+        by_sun, by_sky, by_ground = self.dimming
+        cloud = self.sun * self.lit.budget[1] * by_sun + self.field_sky * self.shares.through * by_sky
+        down, _ = self.lower.shares
+        by_air = self.sky - down[EVEN] * self.upon.whole - down[GROUND] * self.albedo * self.clear_down
+        lights = (cloud, self.direct * (self.clear_down - self.sky), self.direct * by_air)
+        return Exchange.of(self.lower, self.shares, lights, by_ground, self.albedo)
 
     @cached_property
     def lost(self) -> np.ndarray:
@@ -133,26 +168,10 @@ class Incident:
         """What absorption leaves of scattered light of sun, sky and ground, (3, W)."""
         return self.lit.dimming(self.lost)
 
-    @cached_property
-    def shade(self) -> np.ndarray:
-        """Share of its light without cloud that the air below the field has, by all that comes down, (C,)."""
-        weights, clear = self.channels.weights, self.sun_below * max(self.lit.sun[2], 0.0) + self.sky
-        lit, whole = (self.sky * self.down / np.maximum(clear, LEAST)) @ weights, self.sky @ weights
-        return np.asarray(lit / np.where(np.abs(whole) > LEAST, whole, 1.0))
-
-    @cached_property
+    @property
     def sines(self) -> np.ndarray:
         """Sines of elevation of the tables, (VIEWS,)."""
-        return np.linspace(0.0, 1.0, VIEWS) ** 2
-
-    @cached_property
-    def through_air(self) -> np.ndarray:
-        """Transmittance of the air between the eye and the heights, (VIEWS, LEVELS, W)."""
-        tables, radius = ColumnTables.of(self.air), self.air.radius
-        sines, at = np.meshgrid(self.sines, self.heights, indexing="ij")
-        there = np.sqrt(1 - (1 - sines**2) * (radius / (radius + at)) ** 2)
-        between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, there)
-        return np.asarray(np.exp(-np.maximum(between, 0.0) @ self.depths))
+        return self.before.sines
 
     @cached_property
     def mean_sky(self) -> np.ndarray:
@@ -162,18 +181,27 @@ class Incident:
         return np.asarray(light.reshape(VIEWS, AROUND, -1).mean(axis=1, keepdims=True))
 
     @cached_property
-    def tables(self) -> np.ndarray:
-        """By elevation and height, (VIEWS, LEVELS, 5, C): the share of the clear sky's light that the air before the
-        cloud has; what sun, sky and ground, scattered by the cloud, and the sun scattered once, have come through it.
+    def diffuse(self) -> np.ndarray:
+        """What the lower air has of diffuse light under the field, less the sun's share `direct` of what it has of it
+        in the clear, before the heights, (VIEWS, LEVELS, W).
         """
-        weights, through = self.channels.weights, self.through_air
-        whole = -np.expm1(-(ColumnTables.of(self.air).toward(np.zeros(VIEWS), self.sines) @ self.depths))
-        share = np.minimum((1 - through) / np.maximum(whole[:, None], LEAST), 1.0)
+        views = self.lower.toward(self.sines, self.before.through)
+        clear = views[EVEN] * self.upon.whole + views[GROUND] * (self.albedo * self.clear_down)
+        return np.asarray(self.exchange.seen(views) - self.direct * clear)
+
+    @cached_property
+    def tables(self) -> np.ndarray:
+        """By elevation and height, (VIEWS, LEVELS, 6, C): the share of the clear sky's light that the air before the
+        cloud has; what sun, sky and ground, scattered by the cloud, and the sun scattered once, have come through it;
+        and what that air has of diffuse light.
+        """
+        weights, through = self.channels.weights, self.before.through
         seen = self.mean_sky @ weights
-        before = ((self.mean_sky * share) @ weights) / np.where(np.abs(seen) > LEAST, seen, 1.0)
-        shares = zip((self.sun, self.sky, self.ground, self.sun), (*self.dimming, 1 - self.lost), strict=True)
-        lights = [(through * (light * share)) @ weights for light, share in shares]
-        return np.stack([before, *lights], axis=2)
+        before = ((self.mean_sky * self.before.share) @ weights) / np.where(np.abs(seen) > LEAST, seen, 1.0)
+        lights = (self.sun, self.field_sky, self.exchange.below, self.sun)
+        shares = zip(lights, (*self.dimming, 1 - self.lost), strict=True)
+        behind = [(through * (light * share)) @ weights for light, share in shares]
+        return np.stack([before, *behind, self.diffuse @ weights], axis=2)
 
     def behind(self, light: np.ndarray, views: np.ndarray) -> np.ndarray:
         """The clear sky's `light` (D, C) toward views (D, 3) with the field before it, (D, C)."""
@@ -181,15 +209,15 @@ class Incident:
 
     def put_together(self, light: np.ndarray, views: np.ndarray, seen: np.ndarray) -> np.ndarray:
         """The same for what is seen of the field, (D, 5 + DEPTHS)."""
-        from skydome.skies.clouds.fields.air_kernel import put_together
+        from skydome.skies.clouds.fields.air.before_kernel import put_together
 
-        out, (low, *_, high) = np.empty(light.shape), self.heights
+        out = np.empty(light.shape)
         given = (
             self.tables,
-            self.shade,
+            self.direct,
             self.scattering.seeming,
-            low,
-            high,
+            self.before.low,
+            self.before.high,
             self.air.radius,
             views,
             self.lit.sun,
@@ -201,17 +229,15 @@ class Incident:
         return out
 
     def at(self, sines: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        """The tables for sines of elevation and distances (D,), (D, 5, C)."""
-        up = np.clip(sines, 0.0, 1.0)
-        height = distance * up + distance**2 * (1 - up**2) / (2 * self.air.radius)
-        rows = np.sqrt(up) * (VIEWS - 1)
-        low, high = self.heights[0], self.heights[-1]
-        levels = np.clip((height - low) / (high - low), 0, 1) * (LEVELS - 1)
-        j, k = np.minimum(rows.astype(int), VIEWS - 2), np.minimum(levels.astype(int), LEVELS - 2)
-        v, u = (rows - j)[:, None, None], (levels - k)[:, None, None]
-        lower = self.tables[j, k] * (1 - u) + self.tables[j, k + 1] * u
-        upper = self.tables[j + 1, k] * (1 - u) + self.tables[j + 1, k + 1] * u
-        return np.asarray(lower * (1 - v) + upper * v)
+        """The tables for sines of elevation and distances (D,), (D, 6, C)."""
+        return self.before.at(self.tables, sines, distance)
+
+    def around(self, clear: np.ndarray, tables: np.ndarray, through: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Of `clear` light (D, C), by the tables (D, 6, C): what comes from beyond the cloud, which lets `through`
+        (D, 1), and what the air before the cloud has, (D, C) each.
+        """
+        before, diffuse = tables[:, 0], tables[:, 5]
+        return clear * through * (1 - before), np.maximum(clear * before * self.direct + diffuse, 0.0)
 
 
 def colours_of(clear: PhysicalSky, lit: LitField) -> Incident:

@@ -108,10 +108,9 @@ class LitField:
         beams(self.field.medium, self.gaps, dx, self.kept, self.sun, depths, met, passing)
         return depths, passing / np.maximum(met, LEAST)
 
-    @property
-    def straight(self) -> float:
-        """Share of the sunlight that comes down without being scattered."""
-        return float(np.exp(-self.beams[0][..., 0]).mean())
+    def straight(self, sine: float) -> float:
+        """Share of the sun's light that comes straight through the field, on a way through it at a sine."""
+        return float(np.exp(-self.beams[0][..., 0] * (self.sun[2] / sine)).mean())
 
     @cached_property
     def ordinates(self) -> Ordinates:
@@ -123,7 +122,7 @@ class LitField:
         """Sunlight in each cell for an irradiance of 1 on a plane that faces it, float32; what is lost is scattered."""
         light = self.beams[1]
         met = float((self.ordinates.extinction * light).mean()) * self.field.thickness
-        return light * np.float32(self.sun[2] * (1 - self.straight) / max(met, 1e-30))
+        return light * np.float32(self.sun[2] * (1 - self.straight(self.sun[2])) / max(met, 1e-30))
 
     @cached_property
     def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
@@ -164,7 +163,7 @@ class LitField:
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
         (of_sun, _), (of_sky, _) = self.sunlight[1], self.skylight[1]
-        return self.straight, of_sun, of_sky, 1 - of_sky
+        return self.straight(self.sun[2]), of_sun, of_sky, 1 - of_sky
 
     @cached_property
     def light(self) -> np.ndarray:

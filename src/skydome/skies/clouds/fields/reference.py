@@ -12,6 +12,7 @@ from skydome.ground.compiled import shared
 from skydome.ground.directions import checked_directions, direction
 from skydome.ground.files.contents import digest_of
 from skydome.ground.limits.ranges import SEED, Range, require, require_one
+from skydome.skies.clouds.fields.air.before import LEAST
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.scattering import Scattering
@@ -21,7 +22,7 @@ from skydome.skies.path_tracing.tracing import Tracing
 ELEVATIONS, AZIMUTHS = 33, 64
 """Of the table of the clear sky that paths end in."""
 PATHS_PER_PIECE = 64
-MEANING = 2
+MEANING = 3
 """Counted up whenever a seed comes to mean other paths."""
 
 
@@ -72,10 +73,12 @@ class CloudTracing:
 
     @cached_property
     def ends(self) -> np.ndarray:
-        """The clear sky where paths end, (ELEVATIONS, AZIMUTHS, 3)."""
+        """The clear sky where paths end, as bright as upon the field, (ELEVATIONS, AZIMUTHS, 3)."""
         around = np.arange(AZIMUTHS) * (2 * np.pi / AZIMUTHS)
         views = direction(around, np.linspace(0, np.pi / 2, ELEVATIONS)[:, None])
-        return np.ascontiguousarray(self.sky.clear.xyz(views))
+        light = self.sky.colours
+        higher = (light.upon.whole @ light.channels.weights) / np.maximum(light.sky @ light.channels.weights, LEAST)
+        return np.ascontiguousarray(self.sky.clear.xyz(views) * higher)
 
     @cached_property
     def lights(self) -> tuple[np.ndarray, ...]:
@@ -115,9 +118,9 @@ def through_the_air(
 ) -> np.ndarray:
     """Colours toward views of what paths found in the cloud, with the air before it, (D, C)."""
     channels = clear.shape[1]
-    before, *_, behind = np.moveaxis(light.at(views[:, 2], found[:, channels + 1]), 1, 0)
-    passed = found[:, channels : channels + 1]
-    return np.asarray(clear * (passed * (1 - before) + before * light.shade) + found[:, :channels] * behind / sun)
+    tables = light.at(views[:, 2], found[:, channels + 1])
+    beyond, air = light.around(clear, tables, found[:, channels : channels + 1])
+    return np.asarray(beyond + air + found[:, :channels] * tables[:, 4] / sun)
 
 
 def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]:

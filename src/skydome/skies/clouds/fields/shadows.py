@@ -15,7 +15,7 @@ from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 POINTS = 12
 """Points of the sun's disc, which blur the shadows' edges."""
-LEAST_SINE = 0.005
+LEAST_SINE = 0.01
 """Sine of the elevation below which a sun that is up stands before the clouds as one there."""
 PLACES_PER_PIECE = 1 << 9
 METRES = Range(-1e7, 1e7, "m")

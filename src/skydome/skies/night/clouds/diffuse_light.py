@@ -1,16 +1,35 @@
 """Light without a beam, such as airglow, on a field of cloud, and the air before it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from skydome.air.atmosphere import Atmosphere
 from skydome.ground.directions import direction
-from skydome.skies.clouds.fields.incident import AROUND, LEAST, VIEWS, Channels, Incident
+from skydome.skies.clouds.fields.air.above import Skylight, skylight
+from skydome.skies.clouds.fields.air.before import LEAST, VIEWS
+from skydome.skies.clouds.fields.incident import AROUND, Channels, Incident
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.night.celestial import GlowAbove
+from skydome.skies.validity import Check
+
+
+@dataclass(frozen=True)
+class GlowThrough:
+    """A glow through another `atmosphere` than its own, as bright above the air as it is."""
+
+    glow: GlowAbove
+    atmosphere: Atmosphere
+    check: Check = "raise"
+
+    def radiance(self, views: np.ndarray, wavelengths: np.ndarray) -> np.ndarray:
+        """Radiance (..., W) toward views (..., 3)."""
+        there = replace(self.glow, atmosphere=self.atmosphere, check=self.check)
+        own = self.glow.spectrum(wavelengths) / there.spectrum(wavelengths)
+        return np.asarray(there.radiance(views, wavelengths) * own)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +62,18 @@ class DiffuseLight(Incident):
         return self.sun
 
     @cached_property
+    def upon(self) -> Skylight:
+        """The glow's light on the field's top."""
+        mirrored = self.shares.seen_from_above(self.dimming[2], self.albedo)
+        above = GlowThrough(self.clear, self.air)
+        return skylight(above, self.lit.field.top, self.channels.wavelengths, self.sun, mirrored)
+
+    @property
+    def direct(self) -> float:
+        """Share of the glow's light that meets next to no cloud on its way to the air below."""
+        return self.shares.open
+
+    @cached_property
     def scattering(self) -> Scattering:
         """How the cloud scatters, for no light at all."""
         return self.lit.scattering(self.channels.wavelengths, self.channels.weights)
@@ -57,7 +88,7 @@ class DiffuseLight(Incident):
 
     @cached_property
     def tables(self) -> np.ndarray:
-        """As of a clear sky, (VIEWS, LEVELS, 5, C), where the air before the cloud has its share of the air's light."""
+        """As of a clear sky, (VIEWS, LEVELS, 6, C), where the air before the cloud has its share of the air's light."""
         found = super().tables.copy()
         found[:, :, 0] *= self.from_air[:, None]
         return found

@@ -9,10 +9,11 @@ compiled = job()
 
 
 @compiled
-def put_together(first, last, tables, shade, seeming, low, high, radius, views, sun, seen, light, out):
+def put_together(first, last, tables, direct, seeming, low, high, radius, views, sun, seen, light, out):
     """Fill out (D, C) with the clear `light` (D, C) with the cloud before it; `seen` as `marched` has it.
 
-    `seeming` (DEPTHS, ANGLES, C): the phase functions that light scattered once follows.
+    `direct`: share of the sun's light that comes to the air below. `seeming` (DEPTHS, ANGLES, C): the phase functions
+    that light scattered once follows.
     """
     rows, levels, _, channels = tables.shape
     for n in range(first, last):
@@ -31,12 +32,16 @@ def put_together(first, last, tables, shade, seeming, low, high, radius, views, 
             for depth in range(seeming.shape[0]):
                 law = seeming[depth, a, c] * (1 - t) + seeming[depth, a + 1, c] * t
                 once += seen[n, 5 + depth] * law
-            for part in range(5):
+            air = 0.0
+            for part in range(6):
                 lower = tables[j, k, part, c] * (1 - u) + tables[j, k + 1, part, c] * u
                 upper = tables[j + 1, k, part, c] * (1 - u) + tables[j + 1, k + 1, part, c] * u
                 there = lower * (1 - v) + upper * v
                 if part == 0:
-                    total += light[n, c] * (through * (1 - there) + there * shade[c])
+                    total += light[n, c] * through * (1 - there)
+                    air = light[n, c] * there * direct
+                elif part == 5:
+                    air += there
                 else:
                     total += (seen[n, part] if part < 4 else once) * there
-            out[n, c] = total
+            out[n, c] = total + max(air, 0.0)
