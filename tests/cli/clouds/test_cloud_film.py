@@ -20,7 +20,7 @@ site_elevation 240
 weather_data_file_units 1
 6 20 12.500 800 100
 6 21 3.500 0 0
-6 21 4.500 150 4
+6 21 4.500 150 2
 6 21 12.500 860 120
 6 21 23.500 0 0
 """
@@ -53,9 +53,9 @@ def test_frames_of_a_day_are_taken_up_again(call, tape, tmp_path):
     assert facts["made"] == ["sky.0001.exr", "sky.0002.exr"]
     told = [line for line in shown.stderr.splitlines() if "nearest clouds" in line]
     assert len(told) == 1
-    assert "150 direct, 4 W m-2 diffuse: the direct light times" in told[0]
+    assert "150 direct, 2 W m-2 diffuse: the direct light times" in told[0]
     record = json.loads((tmp_path / "frames" / "sky.frames.json").read_text())["frames"]
-    assert [frame["light"]["dhi"] for frame in record.values()] == [4.0, 120.0]
+    assert [frame["light"]["dhi"] for frame in record.values()] == [2.0, 120.0]
     again = json.loads(call(*film, "-o", tmp_path / "frames").stdout)
     assert again["made"] == []
     tape.write_text(TAPE.replace("860", "850"))
