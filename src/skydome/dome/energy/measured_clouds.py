@@ -109,8 +109,10 @@ def sought(
         return found, ""
     lights = [each.light for search in searches for each in search.found]
     low, high = np.ceil(min(lights) / (1 + NEAR)), np.floor(max(lights) * (1 + NEAR))
-    why = f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {dhi:g}"
-    return found, why
+    if low <= dhi <= high:
+        near = f"{dni / found.direct_factor:.0f} and {dhi / found.diffuse_factor:.0f}"
+        return found, f"dni and dhi go together in no such air, the nearest are {near} W m-2, got {dni:g} and {dhi:g}"
+    return found, f"dhi must lie in [{low:.0f}, {high:.0f}] W m-2 with that dni, sun and kind of cloud, got {dhi:g}"
 
 
 def carried(dni: float, dhi: float, clear: Clear, cloudy: CloudySky, step: Step) -> MeasuredClouds:
@@ -134,8 +136,11 @@ def require_light(dni: float, dhi: float, sun: Any, air: Atmosphere | None) -> n
     """The sun (3,); ValueError for light that no sky has."""
     above = SOLAR_CONSTANT * (1.0 if air is None else air.sun_scale)
     sun = np.array(checked_directions(sun, "sun"), np.float64)
-    if sun.shape != (3,) or sun[2] < np.sin(np.radians(LOWEST)):
-        raise ValueError(f"sun must be one direction, {LOWEST:g} degrees above the horizon or more, got {brief(sun)}")
+    if sun.shape != (3,):
+        raise ValueError(f"sun must be one direction of shape (3,), got {brief(sun)}")
+    if sun[2] < np.sin(np.radians(LOWEST)):
+        high = np.degrees(np.arcsin(sun[2]))
+        raise ValueError(f"sun must be {LOWEST:g} degrees above the horizon or more, got one at {high:.2f} degrees")
     for name, value, most in (("dni", dni, above), ("dhi", dhi, above * float(sun[2]))):
         require(name, value, Range(0.0, round(most, 1), "W m-2"))
         require_one(name, value)

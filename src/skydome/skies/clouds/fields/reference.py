@@ -52,7 +52,8 @@ class CloudTracing:
 
     def __post_init__(self) -> None:
         require_kind(self.sky, CloudySky, "sky", "CloudySky(PhysicalSky(sun), CloudField())")
-        if np.ndim(checked_directions(self.directions)) != 2:
+        object.__setattr__(self, "directions", np.asarray(checked_directions(self.directions), np.float64))
+        if self.directions.ndim != 2:
             raise ValueError(f"directions must have shape (D, 3), got {np.shape(self.directions)}")
         for name, span in (("seed", SEED), ("paths_per_pass", Range(1, 1 << 20))):
             require(name, getattr(self, name), span)
@@ -90,11 +91,12 @@ class CloudTracing:
         return light.lit.sun, light.sun @ weights, below, reflected
 
     def one_pass(self, number: int) -> Array:
-        """Mean colours by one pass's paths, (D, 3)."""
-        light, views = self.sky.colours, np.ascontiguousarray(self.directions, np.float64)
+        """Mean colours by one pass's paths, (D, 3); 0 below the horizon."""
+        light, views = self.sky.colours, np.ascontiguousarray(self.directions)
         laws = laws_of(light.scattering)
         found = traced_through(light.lit, laws, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
-        return through_the_air(light, self.clear, self.directions, found, self.lights[1])
+        seen = through_the_air(light, self.clear, views, found, self.lights[1])
+        return np.where(views[:, 2:] >= 0, seen, 0.0)
 
     def fingerprint(self) -> str:
         """A hash of everything that the result depends on but the passes."""
