@@ -8,9 +8,9 @@ quarter turn apart. Grids are (up, north, east), float32, so that rows of cells 
 
 import numpy as np
 
-from skydome.ground.compiled import ANY_ORDER, job, piece
+from skydome.ground.compiled import ANY_ORDER, inlined, job
 
-compiled, row = job(ANY_ORDER), piece(ANY_ORDER)
+compiled, row = job(ANY_ORDER), inlined(ANY_ORDER)
 
 
 @row
