@@ -17,14 +17,16 @@ from skydome.air.named_airs import BACKGROUND_DEPTH, KINDS, background
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
-from skydome.skies.clouds.fields import field, incident, lit_field, march_kernel, scattering, shadows
+from skydome.skies.clouds.fields import field, lit_field, march_kernel, scattering, shadows
+from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS
 from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "clouds.json"
-SINES = np.linspace(0.0, 1.0, incident.VIEWS) ** 2
-LEVELS = incident.LEVELS
+SINES = np.linspace(0.0, 1.0, VIEWS) ** 2
+DIFFUSION = {"open": [600.0, 4.0], "sweeps": 16, "over": 1.7, "fewest": 8}
+"""The page's own way: how empty air scatters in it (docs/decisions.md), sweeps, how far beyond, cells at the fewest."""
 STANDING = -4.0 + 94.0 * np.linspace(0.0, 1.0, 64) ** 2
 """True elevations of suns, degrees."""
 FIGURES = 5
@@ -73,10 +75,7 @@ def table() -> dict[str, Any]:
         "closed": field.CLOSED,
         "lowest": lit_field.LOWEST,
         "farthest": lit_field.FARTHEST,
-        "open": [lit_field.OPEN_TO_SUN, lit_field.OPEN_TO_SKY],
-        "sweeps": lit_field.SWEEPS,
-        "over": lit_field.OVER,
-        "fewest": lit_field.FEWEST,
+        **DIFFUSION,
         "widths": lit_field.WIDTHS.tolist(),
         "gone": march_kernel.GONE,
         "dense": march_kernel.DENSE,
@@ -90,7 +89,7 @@ def table() -> dict[str, Any]:
         "points": shadows.POINTS,
         "leastSine": shadows.LEAST_SINE,
         "discRadius": MEAN_RADIUS,
-        "views": incident.VIEWS,
+        "views": VIEWS,
         "wavelengths": NODES.tolist(),
         "colours": plain(SkyColours.of(air, bands_from_nodes().T).whole, 7),
         "rayleigh": float(rayleigh_depth([550.0])[0]),
