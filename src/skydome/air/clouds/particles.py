@@ -34,6 +34,8 @@ class CloudParticles(ABC):
     radii: ClassVar[Range]
     usual_radius: ClassVar[float]
     """The effective radius, m, where nobody says."""
+    peaked: ClassVar[bool] = False
+    """Whether half of the scattered light goes on in a peak far narrower than the rest, by diffraction."""
 
     @abstractmethod
     def optics(self, effective_radius: Any, wavelengths: Any) -> CloudOptics:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
-from skydome.air.clouds.particles import CloudOptics, CloudParticles, Ice, Water
+from skydome.air.clouds.particles import CloudOptics, CloudParticles, Water
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Tabulated
 from skydome.ground.limits.ranges import Range
@@ -133,7 +133,7 @@ def test_thin_slab_scatters_once(particles):
 def test_fields_and_layers_scatter_by_one_law():
     for kind, layer in (
         (sd.Cumulus(), Water()),
-        (sd.Cirrus(), Ice()),
+        (sd.Cirrus(), sd.HexagonalIce()),
         (sd.Altocumulus(effective_radius=6e-6), Water()),
     ):
         cosine = np.cos(np.radians([1.0, 22.0, 90.0, 141.0]))

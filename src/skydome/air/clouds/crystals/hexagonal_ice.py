@@ -42,6 +42,7 @@ class HexagonalIce(CloudParticles, Bounded):
     name: ClassVar[str] = "hexagonal ice"
     radii: ClassVar[Range] = BOUNDS["effective_radius"]
     usual_radius: ClassVar[float] = 30e-6
+    peaked: ClassVar[bool] = True
     bounds: ClassVar = {name: BOUNDS[name] for name in ("aspect", "roughness", "smooth")}
 
     def __post_init__(self) -> None:

@@ -19,8 +19,10 @@ import numpy as np
 from skydome.air.phase_laws import PhaseLaw
 from skydome.air.series.legendre import legendre
 
-ANGLES, SMOOTH, MOMENTS = 1025, 257, 400
+ANGLES, SMOOTH, MOMENTS = 1025, 257, 480
 """Angles of tables; of what is blurred; Legendre moments of that."""
+FADING = np.exp(-((np.arange(MOMENTS)[:, None] / 130) ** 2) / 2)
+"""Of those moments: what is blurred is blurred by a bell of .44 degrees more, and a narrow peak leaves no rings."""
 DEPTHS, FIRST, STEP = 12, 0.2, 0.337
 """Scaled depths of tables: FIRST (exp(k STEP) - 1), 0 to 8."""
 SHARES = 8193
@@ -77,7 +79,7 @@ class Scattering:
         straight, blurred = np.exp(-turns), np.exp(-turns * (1 - p))
         none = straight * (turns * p)
         more = rest * (blurred - straight) + (blurred - straight - none) / np.maximum(scaled, 1e-9)
-        order = 2 * np.arange(MOMENTS)[:, None] + 1
+        order = (2 * np.arange(MOMENTS)[:, None] + 1) * FADING
         at = np.sqrt(grid(SMOOTH)[0] / np.pi) * (ANGLES - 1)
         smooth = np.tensordot(polynomials(SMOOTH).T, order / (4 * np.pi) * more, axes=(1, 1))
         smooth = np.stack([np.interp(np.arange(ANGLES), at, row) for row in smooth.reshape(SMOOTH, -1).T])
