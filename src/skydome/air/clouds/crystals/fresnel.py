@@ -40,7 +40,7 @@ def split(rays: Rays, normal: np.ndarray, ratio: float) -> tuple[Rays, Rays]:
 
     `normal` (N, 3) points onward, to where the light goes; `ratio`: the index there over that here.
     """
-    c = np.clip(np.einsum("nk,nk->n", rays.toward, normal), 0.0, 1.0)
+    c = np.clip(np.einsum("nk,nk->n", rays.toward, normal), 1e-12, 1.0)
     square = 1 - (1 - c * c) / ratio**2
     t = np.sqrt(np.maximum(square, 0.0))
     root = np.where(square < 0, 1j * np.sqrt(np.maximum(-square, 0.0)), t)

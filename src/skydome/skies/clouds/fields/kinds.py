@@ -7,8 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from skydome.air.clouds.crystals.hexagonal_ice import HexagonalIce
-from skydome.air.clouds.particles import CloudParticles, Water
+from skydome.air.clouds.particles import CloudParticles, Ice, Water
 from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import require_kind
 from skydome.ground.arrays import Array
@@ -20,7 +19,7 @@ from skydome.skies.clouds.fields.noise import ENDLESS, cells, gradient
 class CloudKind(ABC):
     """A kind of cloud. Its shape is a number at each place: cloud is where it exceeds the threshold of a cover.
 
-    particles, effective_radius: what it is of, and how large, m (the particles' usual one), as of a `Cloud` in layers.
+    particles, effective_radius: of what it is, and how large, m (the particles' usual one), as of a `Cloud` in layers.
     name: as people write it. base, thickness: usual ones, m. extinction: the greatest, m-1. period: after which the
     field repeats, m; `count` places of the shape along it, a power of two, `levels` over the thickness. erosion: by how
     much fine detail eats into the shape; `detail` m between its places. edge: from the threshold up to full density,
@@ -196,13 +195,13 @@ class Altocumulus(CloudKind):
 
 @dataclass(frozen=True)
 class Cirrus(CloudKind):
-    """Thin streaks of ice, high up, with a weak halo.
+    """Thin streaks of ice, high up; `Cirrus(HexagonalIce())` has a halo.
 
     >>> Cirrus().base
     9000.0
     """
 
-    particles: CloudParticles = field(default_factory=HexagonalIce)
+    particles: CloudParticles = field(default_factory=Ice)
     name: ClassVar[str] = "cirrus"
     base: ClassVar[float] = 9000.0
     thickness: ClassVar[float] = 1200.0
