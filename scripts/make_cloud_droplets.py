@@ -16,7 +16,7 @@ os.environ["MIEPYTHON_USE_JIT"] = "1"
 
 import numpy as np
 
-from skydome.air.clouds.phases import knots
+from skydome.air.clouds.phases import Droplets
 from skydome.air.mie import angular, coefficients
 from skydome.air.series.legendre import legendre
 from skydome.air.size_distributions import GammaSizes
@@ -86,7 +86,7 @@ def phase(a: np.ndarray, b: np.ndarray, share: np.ndarray, angles: np.ndarray | 
 def main() -> None:
     """Work out every size and write the table."""
     together = np.union1d(WAVELENGTHS, np.union1d(PHASES, [550.0]))
-    angles = np.radians(knots())
+    angles = np.radians(Droplets.angles.knots)
     numbers, phases = np.zeros((3, RADII.size, together.size)), np.zeros((RADII.size, PHASES.size, angles.size))
     for i, radius in enumerate(RADII):
         for j, wavelength in enumerate(together):

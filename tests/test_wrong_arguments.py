@@ -50,7 +50,7 @@ CALLS = {
     "duv": {"xyz": [1.0, 1.0, 1.0]},
     "daylight_spectrum": {"xyz": [1.0, 1.0, 1.0], "wavelengths": [400.0, 500.0]},
     "Aerosol": {}, "Molecules": {}, "Ozone": {}, "Atmosphere": {}, "ClearAir": {}, "clear_air": {}, "Junge": {},
-    "Cloud": {}, "Water": {}, "Ice": {}, "NitrogenDioxide": {},
+    "Cloud": {}, "Water": {}, "Ice": {}, "HexagonalIce": {}, "NitrogenDioxide": {},
     "Lognormal": {"median_radius": 1e-7, "deviation": 2.0},
     "GammaSizes": {"radius": 1e-6, "variance": 0.1},
     "MieParticles": {"sizes": sd.Lognormal(1e-7, 2.0), "count": 10},

@@ -31,6 +31,7 @@ HOME = {
     "air.gases.gases": "Gases",
     "air.clouds.cloud": "Cloud",
     "air.clouds.particles": "Water Ice",
+    "air.clouds.crystals.hexagonal_ice": "HexagonalIce",
     "air.mie": "MieParticles",
     "air.size_distributions": "Lognormal Junge GammaSizes",
     "air.transmittance": "ClearAir",

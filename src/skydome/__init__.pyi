@@ -2,6 +2,7 @@
 
 from skydome.air.atmosphere import Atmosphere as Atmosphere
 from skydome.air.clouds.cloud import Cloud as Cloud
+from skydome.air.clouds.crystals.hexagonal_ice import HexagonalIce as HexagonalIce
 from skydome.air.clouds.particles import Ice as Ice
 from skydome.air.clouds.particles import Water as Water
 from skydome.air.constituents import Aerosol as Aerosol

@@ -54,6 +54,7 @@ def test_a_new_parameter_needs_a_range():
 
 def examples():
     """One of each kind whose numbers can be tried."""
+    from skydome.air.clouds.crystals.phase import Prisms
     from skydome.air.clouds.phases import Droplets
     from skydome.air.mie import MieParticles
     from skydome.air.phase_laws import CornetteShanks, Rayleigh
@@ -75,7 +76,7 @@ def examples():
 
     air = sd.Atmosphere()
     yield from (air, sd.Molecules(), sd.Molecules(optical_depth=0.1), sd.Aerosol(), sd.Ozone(), Rayleigh())
-    yield from (sd.Cloud(), Droplets(), sd.NitrogenDioxide())
+    yield from (sd.Cloud(), Droplets(), sd.HexagonalIce(), Prisms(), sd.NitrogenDioxide())
     yield from (
         CornetteShanks(0.7),
         Exponential(8e3),

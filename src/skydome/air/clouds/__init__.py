@@ -2,5 +2,8 @@
 
 - cloud      A layer of cloud, so deep at 550 nm, so high, of so large particles
 - particles  What clouds are made of, water or ice: extinction, single scattering albedo, asymmetry by size
-- phases     Their phase functions
+- phases     Phase functions of droplets, and of crystals as one lobe
+- crystals/  Crystals as hexagonal prisms: halos
+- tabulated  A phase function known by its logarithms at angles
+- angles     Those angles
 """

@@ -17,7 +17,8 @@ from skydome.ground.limits.ranges import Range, require
 class Cloud(Constituent):
     """An even layer of cloud of vertical `optical_depth` at 550 nm, from `base` up, `thickness` m thick.
 
-    `kind`: `Water()` or `Ice()`; `effective_radius` in m, 4-25 um for water, 13-130 um for ice (None: 10 and 30 um).
+    `kind`: `Water()`, `Ice()` or `HexagonalIce()`, which has halos; `effective_radius` in m, 4-25 um for water, 13-130
+    and 10-200 um for ice (None: 10 and 30 um).
 
     >>> import skydome as sd
     >>> air = sd.Atmosphere((*sd.Atmosphere.standard().constituents, Cloud(12.0, base=800.0, thickness=600.0)))

@@ -34,6 +34,8 @@ class CloudParticles(ABC):
     radii: ClassVar[Range]
     usual_radius: ClassVar[float]
     """The effective radius, m, where nobody says."""
+    peaked: ClassVar[bool] = False
+    """Whether half of the scattered light goes on in a peak far narrower than the rest, by diffraction."""
 
     @abstractmethod
     def optics(self, effective_radius: Any, wavelengths: Any) -> CloudOptics:
@@ -77,12 +79,12 @@ class Water(CloudParticles):
 class Ice(CloudParticles):
     """Crystals of ice as Ebert and Curry 1992 (J. Geophys. Res. 97, 3831) have them for 13-130 um.
 
-    1 - albedo = c + d r and g = e + f r in four bands, held at the middles of the outer ones and in between linear
+    1 - albedo = c + d r and g = e + f r in five bands, held at the middles of the outer ones and in between linear
     (1 - albedo in its logarithm); extinction the same at all wavelengths. One lobe of that g: no halo.
 
     >>> seen = Ice().optics(30e-6, [550.0, 1600.0])
     >>> seen.asymmetry.round(3).tolist(), seen.albedo.round(3).tolist()
-    ([0.785, 0.816], [1.0, 0.956])
+    ([0.785, 0.808], [1.0, 0.967])
     """
 
     name: ClassVar[str] = "ice"
@@ -90,7 +92,7 @@ class Ice(CloudParticles):
     usual_radius: ClassVar[float] = 30e-6
 
     def optics(self, effective_radius: Any, wavelengths: Any) -> CloudOptics:
-        """By the four bands."""
+        """By the five bands."""
         table, radius = columns("ebert_curry_1992"), floating(effective_radius)[..., None] * 1e6
         w = np.atleast_1d(numbers(wavelengths, "wavelengths"))
         xp, middle = namespace(radius), (table["from_nm"] + table["to_nm"]) / 2

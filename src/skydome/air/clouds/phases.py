@@ -6,36 +6,20 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from skydome.air.clouds.angles import Angles
+from skydome.air.clouds.tabulated import Tabulated
 from skydome.air.phase_functions import henyey_greenstein
 from skydome.air.phase_laws import PhaseLaw
 from skydome.ground.arguments import numbers
-from skydome.ground.arrays import Array, constant, floating, limited, namespace, safe_sqrt
+from skydome.ground.arrays import Array, constant, floating, namespace
 from skydome.ground.interpolation import weights
 from skydome.ground.limits.ranges import Range, require
-from skydome.ground.quadrature import gauss_legendre
 from skydome.ground.tables import archive
 from skydome.light.spectrum import Spectrum, interpolated
 
-EDGES = np.array([0.0, 2.0, 10.0, 130.0, 150.0, 170.0, 180.0])
-STEPS = np.array([0.1, 0.25, 2.0, 0.5, 1.0, 0.25])
-"""Degrees between which the table of droplets has even steps, and these: fine at the peak, the bows and the glory."""
-
-
-def knots() -> np.ndarray:
-    """Angles of the table, degrees, (A,)."""
-    rows = [np.arange(low, high - step / 2, step) for low, high, step in zip(EDGES, EDGES[1:], STEPS, strict=False)]
-    return np.concatenate([*rows, [180.0]])
-
-
-def place(degrees: Array) -> Array:
-    """Where angles (...,) lie among `knots`, counted in cells, (...,)."""
-    parts = zip(EDGES, EDGES[1:], STEPS, strict=False)
-    pieces = [limited(degrees - low, 0.0, high - low) / step for low, high, step in parts]
-    return sum(pieces[1:], pieces[0])
-
 
 @dataclass(frozen=True)
-class Droplets(PhaseLaw):
+class Droplets(Tabulated):
     """The phase function of cloud droplets of an `effective_radius`, m, 4-25 um (`scripts/make_cloud_droplets.py`).
 
     Mie theory over gamma sizes; its logarithm is linear in the angle, the logarithm of the radius and the wavelength.
@@ -47,27 +31,18 @@ class Droplets(PhaseLaw):
 
     effective_radius: float = 10e-6
     bounds: ClassVar = {"effective_radius": Range(4e-6, 25e-6, "m")}
-    wavelengths_alike: ClassVar[bool] = False
+    angles: ClassVar[Angles] = Angles((0.0, 2.0, 10.0, 130.0, 150.0, 170.0, 180.0), (0.1, 0.25, 2.0, 0.5, 1.0, 0.25))
+    """Fine at the peak, the bows and the glory."""
 
     def __post_init__(self) -> None:
         require("effective_radius", self.effective_radius, self.bounds["effective_radius"])
 
-    def value(self, cosine: Any, wavelengths: Any) -> Array:
-        """From the table, scaled to an integral of 1."""
-        xp, c = namespace(cosine), floating(cosine)
-        degrees = (360 / np.pi) * xp.atan2(safe_sqrt((1 - c) / 2), safe_sqrt((1 + c) / 2))
-        table = constant(self.table(wavelengths), c)
-        where = place(degrees)
-        cell = xp.astype(limited(xp.floor(where), 0.0, len(table) - 2.0), xp.int32)
-        part = (where - xp.astype(cell, where.dtype))[..., None]
-        return xp.exp(table[cell] * (1 - part) + table[cell + 1] * part)
-
     def table(self, wavelengths: Any) -> np.ndarray:
-        """Logarithms of the phase function at `knots`, (A, W)."""
+        """Scaled to an integral of 1."""
         logarithms = of_radius(float(self.effective_radius))
         w = np.atleast_1d(numbers(wavelengths, "wavelengths"))
         found = interpolated(np.log(w), np.log(archive("cloud_droplets")["phase_wavelength_nm"]), logarithms)
-        return np.asarray(found - np.log(integral(found)))
+        return np.asarray(found - np.log(self.angles.integral(found)))
 
     def mean_cosine(self, wavelengths: Any) -> Array:
         """The mean cosine of the true phase functions, (W,)."""
@@ -87,22 +62,6 @@ def of_radius(effective_radius: float) -> np.ndarray:
 def radius_weights(known_um: np.ndarray, radius: Array) -> Array:
     """Weights (..., R) of radii `known_um` (R,), um, for radii (...,), m: linear in the logarithm."""
     return weights(np.log(known_um), namespace(radius).log(floating(radius) * 1e6))
-
-
-@cache
-def inner() -> tuple[np.ndarray, np.ndarray]:
-    """Shares (4,) of a cell of the table, and what light within (A - 1, 4) counts over the sphere, sr."""
-    t, w = gauss_legendre(4)
-    angle = np.radians(knots())
-    step = np.diff(angle)[:, None]
-    return t, 2 * np.pi * step * w * np.sin(angle[:-1, None] + step * t)
-
-
-def integral(logarithms: np.ndarray) -> np.ndarray:
-    """Integral over the sphere of functions known by their logarithms at `knots`, (A, W): (W,)."""
-    t, solid = inner()
-    within = logarithms[:-1, None] * (1 - t)[:, None] + logarithms[1:, None] * t[:, None]
-    return np.asarray(np.einsum("atw,at->w", np.exp(within), solid))
 
 
 @dataclass(frozen=True, eq=False)

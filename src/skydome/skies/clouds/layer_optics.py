@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from skydome.air.clouds.cloud import Cloud
+from skydome.air.clouds.particles import CloudParticles
 from skydome.air.constituents import Constituent
 from skydome.ground.arrays import Array, as_numpy, is_concrete, namespace
 from skydome.ground.limits.ranges import Range, inside
@@ -66,6 +67,14 @@ def layer_optics(
     peak = cloud.phase_law.moments(PEAK + 1, wavelengths)[PEAK]
     depths = ozone.depth(wavelengths), cloud.depth(wavelengths)
     return LayerOptics(air * share, air * (1 - share), *depths, seen.albedo, seen.asymmetry, peak, ground)
+
+
+def require_known(kind: CloudParticles) -> None:
+    """ValueError in one line for particles whose scattering is made otherwise than that of those that were taught."""
+    if kind.peaked:
+        raise ValueError(
+            f"the overcast sky was taught Water() and Ice(), got {kind}; DiscreteOrdinates and CloudySky take it"
+        )
 
 
 def require_taught(numbers: LayerOptics) -> None:

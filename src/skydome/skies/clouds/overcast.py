@@ -24,7 +24,7 @@ from skydome.skies.all_air.rest import RestNetwork, cosine_of_turn, mixed
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.held_overcast import held_overcast
 from skydome.skies.clouds.layer_light import beam, once
-from skydome.skies.clouds.layer_optics import TAUGHT, LayerOptics, layer_optics, require_taught
+from skydome.skies.clouds.layer_optics import TAUGHT, LayerOptics, layer_optics, require_known, require_taught
 from skydome.skies.clouds.overcast_files import load_overcast, shipped_overcast
 from skydome.skies.clouds.two_streams import features, light_of
 from skydome.skies.colour_sky import SpectralSky
@@ -84,7 +84,7 @@ class OvercastSky(SunlitSky, SpectralSky):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _ = self.cloud
+        require_known(self.cloud.kind)
         if self.check == "raise":
             require_taught(self.optics(self.bands))
 

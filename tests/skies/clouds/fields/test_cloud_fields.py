@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
-from skydome.air.clouds.particles import CloudOptics, CloudParticles, Ice, Water
+from skydome.air.clouds.particles import CloudOptics, CloudParticles, Water
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.air.profiles import Tabulated
 from skydome.ground.limits.ranges import Range
@@ -133,7 +133,7 @@ def test_thin_slab_scatters_once(particles):
 def test_fields_and_layers_scatter_by_one_law():
     for kind, layer in (
         (sd.Cumulus(), Water()),
-        (sd.Cirrus(), Ice()),
+        (sd.Cirrus(sd.HexagonalIce()), sd.HexagonalIce()),
         (sd.Altocumulus(effective_radius=6e-6), Water()),
     ):
         cosine = np.cos(np.radians([1.0, 22.0, 90.0, 141.0]))
@@ -142,6 +142,14 @@ def test_fields_and_layers_scatter_by_one_law():
         law = Scattering.of(kind.law, 0.7, [450.0, 650.0], weights)
         once = law.once(cosine, np.eye(DEPTHS)[np.zeros(4, int)])  # through no depth: the law itself
         np.testing.assert_allclose(once * (1 - 0.7), known, rtol=0.02)
+
+
+def test_a_peak_of_diffraction_leaves_no_rings():
+    kind = sd.Cirrus(sd.HexagonalIce(), effective_radius=80e-6)
+    scattering = Scattering.of(kind.law, 0.6, [450.0, 650.0], np.eye(2), kind.particles.peaked)
+    between = np.cos(np.radians(np.linspace(1.5, 16.0, 80)))
+    light = scattering.once(between, np.eye(DEPTHS)[np.full(80, 4)])
+    assert (np.diff(light, axis=0) < 0.01 * light[1:]).all()
 
 
 def test_what_many_small_turns_leave_of_a_law():

@@ -19,7 +19,7 @@ from skydome.skies.clouds.fields.noise import ENDLESS, cells, gradient
 class CloudKind(ABC):
     """A kind of cloud. Its shape is a number at each place: cloud is where it exceeds the threshold of a cover.
 
-    particles, effective_radius: water or ice, and how large, m (the particles' usual one), as of a `Cloud` in layers.
+    particles, effective_radius: of what it is, and how large, m (the particles' usual one), as of a `Cloud` in layers.
     name: as people write it. base, thickness: usual ones, m. extinction: the greatest, m-1. period: after which the
     field repeats, m; `count` places of the shape along it, a power of two, `levels` over the thickness. erosion: by how
     much fine detail eats into the shape; `detail` m between its places. edge: from the threshold up to full density,
@@ -195,7 +195,7 @@ class Altocumulus(CloudKind):
 
 @dataclass(frozen=True)
 class Cirrus(CloudKind):
-    """Thin streaks of ice, high up.
+    """Thin streaks of ice, high up; `Cirrus(HexagonalIce())` has a halo.
 
     >>> Cirrus().base
     9000.0

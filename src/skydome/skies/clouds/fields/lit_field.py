@@ -173,7 +173,7 @@ class LitField:
     def scattering(self, wavelengths: Any = (550.0,), weights: Any = ((1.0,),)) -> Scattering:
         """How the cloud scatters in channels, weights (W, C) of light of wavelengths (W,), nm."""
         kind = self.field.kind
-        return Scattering.of(kind.law, self.asymmetry**2, wavelengths, np.asarray(weights))
+        return Scattering.of(kind.law, self.asymmetry**2, wavelengths, np.asarray(weights), kind.particles.peaked)
 
     def seen(self, directions: np.ndarray) -> np.ndarray:
         """Toward directions (D, 3), for irradiances of 1: transmittance, radiance of sunlight scattered more than once,

@@ -21,6 +21,8 @@ from skydome.air.series.legendre import legendre
 
 ANGLES, SMOOTH, MOMENTS = 1025, 257, 400
 """Angles of tables; of what is blurred; Legendre moments of that."""
+FADING = np.exp(-((np.arange(MOMENTS)[:, None] / 108) ** 2) / 2)
+"""Of those moments where a peak of diffraction goes beyond them: blurred light is so by a bell of .53 degrees more."""
 DEPTHS, FIRST, STEP = 12, 0.2, 0.337
 """Scaled depths of tables: FIRST (exp(k STEP) - 1), 0 to 8."""
 SHARES = 8193
@@ -49,15 +51,19 @@ class Scattering:
 
     law: np.ndarray
     peak: float
+    peaked: bool = False
+    """Whether the law has a peak of diffraction, as `CloudParticles.peaked`: moments fade, lest it leave rings."""
 
     @classmethod
-    def of(cls, law: PhaseLaw, peak: float, wavelengths: Any, weights: np.ndarray) -> "Scattering":
+    def of(
+        cls, law: PhaseLaw, peak: float, wavelengths: Any, weights: np.ndarray, peaked: bool = False
+    ) -> "Scattering":
         """A law in channels, weights (W, C) of light of wavelengths (W,), nm."""
         angle, solid = grid(ANGLES)
         value = np.asarray(law.value(np.cos(angle), wavelengths))
         total = weights.sum(axis=0)
         share = np.where(total > 0, weights / np.where(total > 0, total, 1.0), 1 / len(weights))
-        return cls(np.ascontiguousarray(value / (solid @ value) @ share), peak)
+        return cls(np.ascontiguousarray(value / (solid @ value) @ share), peak, peaked)
 
     @cached_property
     def peaks(self) -> np.ndarray:
@@ -77,7 +83,7 @@ class Scattering:
         straight, blurred = np.exp(-turns), np.exp(-turns * (1 - p))
         none = straight * (turns * p)
         more = rest * (blurred - straight) + (blurred - straight - none) / np.maximum(scaled, 1e-9)
-        order = 2 * np.arange(MOMENTS)[:, None] + 1
+        order = (2 * np.arange(MOMENTS)[:, None] + 1) * (FADING if self.peaked else 1.0)
         at = np.sqrt(grid(SMOOTH)[0] / np.pi) * (ANGLES - 1)
         smooth = np.tensordot(polynomials(SMOOTH).T, order / (4 * np.pi) * more, axes=(1, 1))
         smooth = np.stack([np.interp(np.arange(ANGLES), at, row) for row in smooth.reshape(SMOOTH, -1).T])
