@@ -9,6 +9,7 @@ from skydome.air.clouds.cloud import Cloud
 from skydome.air.constituents import Constituent
 from skydome.ground.arrays import Array, as_numpy, is_concrete, namespace
 from skydome.ground.limits.ranges import Range, inside
+from skydome.ground.units import EARTH_RADIUS
 
 PEAK = 32
 """The Legendre moment from which on scattering counts as straight on: the streams of the teacher."""
@@ -22,6 +23,8 @@ TAUGHT = {
     "asymmetry": Range(0.76, 0.94),
     "peak": Range(0.0, 0.85),
     "ground": Range(0.0, 1.0),
+    "height": Range(25.0, 14_000.0, "m"),
+    "thickness": Range(50.0, 4000.0, "m"),
 }
 NAMES = {
     "above": "optical depth of molecules above the cloud",
@@ -32,11 +35,13 @@ NAMES = {
     "asymmetry": "asymmetry of the cloud",
     "peak": "forward peak of the cloud",
     "ground": "albedo of the ground",
+    "height": "height of the cloud's middle",
+    "thickness": "thickness of the cloud",
 }
 
 
 class LayerOptics(NamedTuple):
-    """The numbers of `TAUGHT`, each (..., W): optical depths, the cloud's numbers, the ground's albedo."""
+    """The numbers of `TAUGHT`, each (..., W) or (1,): optical depths, the cloud's numbers, the ground's albedo."""
 
     above: Array
     """Of molecules, from the middle of the cloud up."""
@@ -48,6 +53,24 @@ class LayerOptics(NamedTuple):
     peak: Array
     """Moment number `PEAK` of the phase function."""
     ground: Array
+    height: Array
+    """Of the cloud's middle, m."""
+    thickness: Array
+    """Of the cloud, m."""
+
+    @property
+    def scaled(self) -> Array:
+        """The cloud's depth without its forward peak, (..., W)."""
+        return self.cloud * (1 - self.albedo * self.peak)
+
+    @property
+    def bend(self) -> Array:
+        """What the earth's roundness adds to a low sun's sine: the cloud's even beam ends in its round top, (..., W).
+
+        Where the sun's sine is s at the top of a layer of thickness T, radius R and depth t, the beam leaves s + T / (R t)
+        on each unit of its level area.
+        """
+        return self.thickness / (EARTH_RADIUS * self.scaled)
 
     @property
     def allowed(self) -> Array:
@@ -65,7 +88,8 @@ def layer_optics(
     share = float(molecules.profile.above(np.asarray(cloud.profile.mean_height)))
     peak = cloud.phase_law.moments(PEAK + 1, wavelengths)[PEAK]
     depths = ozone.depth(wavelengths), cloud.depth(wavelengths)
-    return LayerOptics(air * share, air * (1 - share), *depths, seen.albedo, seen.asymmetry, peak, ground)
+    place = (np.array([number]) for number in (cloud.profile.mean_height, cloud.thickness))
+    return LayerOptics(air * share, air * (1 - share), *depths, seen.albedo, seen.asymmetry, peak, ground, *place)
 
 
 def require_taught(numbers: LayerOptics) -> None:
