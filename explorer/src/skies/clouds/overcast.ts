@@ -33,6 +33,13 @@ function heightOf(row: number): number {
   return Math.cos(Math.acos(table.leastCosine) * (1 - (row / (ROWS - 1)) ** 2));
 }
 
+/** Cosine of the angle between the sun and a place of the fine grid. */
+function angleAt(row: number, turn: number, sine: number): number {
+  const view = heightOf(row);
+  const level = Math.sqrt((1 - view * view) * Math.max(0, 1 - sine * sine));
+  return view * sine + level * Math.cos((Math.PI * turn) / (TURNS - 1));
+}
+
 /** The sky under a layer of an optical depth, its light times `share`; the sun's strength over that 1 AU away. */
 export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: number, strength: number, share: number): Overcast {
   const sine = Math.max(0, sun[2]);
@@ -42,11 +49,13 @@ export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: numb
   for (let c = 0; c < 3; c++) REFINER.refine(rest, c * NODES * COARSE, grid, 9 + c, strength * share);
   const { mixture } = KINDS[kind];
   for (let row = 0; row < ROWS; row++) {
-    const single = once(air, heightOf(row), sine);
-    for (let s = 0; s < 3; s++) {
-      for (let c = 0; c < 3; c++) {
-        const light = single.reduce((total, value, w) => total + value * mixture[s][w] * table.colours[w][c], 0);
-        for (let turn = 0; turn < TURNS; turn++) grid[(row * TURNS + turn) * 12 + 3 * s + c] = light * strength * share;
+    for (let turn = 0; turn < TURNS; turn++) {
+      const single = once(air, heightOf(row), sine, angleAt(row, turn, sine));
+      for (let s = 0; s < 3; s++) {
+        for (let c = 0; c < 3; c++) {
+          const light = single.reduce((total, value, w) => total + value * mixture[s][w] * table.colours[w][c], 0);
+          grid[(row * TURNS + turn) * 12 + 3 * s + c] = light * strength * share;
+        }
       }
     }
   }

@@ -1,4 +1,4 @@
-"""What the overcast sky's network reads: a layer's optical numbers, the sun's height, and what two streams make of them."""
+"""What the overcast sky's network reads: optical numbers, the sun's height, and what two streams make of them."""
 
 from skydome.ground.arrays import Array, at_least, namespace, safe_sqrt
 from skydome.skies.all_air.rest import heights_of

@@ -27,7 +27,7 @@ def once(air: LayerOptics, view: Array, sun: Array, angle: Array) -> Array:
 
 
 def sun_there(height: Array, view: Array, sun: Array, angle: Array) -> Array:
-    """Cosine of the sun to the vertical where a view (...,) meets a height (..., W), m; 0 where it has set, (..., W)."""
+    """Cosine of the sun to the vertical where a view (...,) meets a height (..., W), m; 0 where it is down."""
     top, view = EARTH_RADIUS + height, view[..., None]
     away = safe_sqrt(top**2 - EARTH_RADIUS**2 * (1 - view * view)) - EARTH_RADIUS * view
     return limited((EARTH_RADIUS * sun[..., None] + away * angle[..., None]) / top, 0.0, 1.0)
@@ -40,7 +40,7 @@ def beam(air: LayerOptics, sun: Array, cloud: Array) -> Array:
 
 
 def up_there(cosine: Array, height: Array) -> Array:
-    """Cosine to the vertical, at a height (..., W), m, of a view that leaves the ground with `cosine` (...,), (..., W)."""
+    """Cosine to the vertical, at a height (..., W), m, of a view that leaves the ground with `cosine` (...,)."""
     ratio, cosine = (EARTH_RADIUS / (EARTH_RADIUS + height)) ** 2, cosine[..., None]
     return at_least(safe_sqrt(1 - ratio * (1 - cosine * cosine)), LEAST)
 

@@ -65,10 +65,10 @@ class LayerOptics(NamedTuple):
 
     @property
     def bend(self) -> Array:
-        """What the earth's roundness adds to a low sun's sine: the cloud's even beam ends in its round top, (..., W).
+        """What the earth's roundness adds to a low sun's sine, (..., W).
 
-        Where the sun's sine is s at the top of a layer of thickness T, radius R and depth t, the beam leaves s + T / (R t)
-        on each unit of its level area.
+        A beam of sine s leaves s + T / (R t) on each unit of the level area of a round layer of thickness T, radius R
+        and depth t, where it ends in the layer.
         """
         return self.thickness / (EARTH_RADIUS * self.scaled)
 

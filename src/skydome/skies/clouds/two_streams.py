@@ -61,8 +61,8 @@ class Streams(NamedTuple):
 def streams(air: LayerOptics, cosine: Array) -> Streams:
     """What the cloud makes of a beam of a `cosine` to the vertical (..., W), and of even light.
 
-    Eddington's two streams (Meador and Weaver 1980, eq. 14-15 and table 1) of delta-scaled numbers (Joseph et al. 1976),
-    their differences of like exponentials taken together, so that nothing is lost where little is absorbed.
+    Eddington's two streams (Meador and Weaver 1980, eq. 14-15 and table 1) of delta-scaled numbers (Joseph et al.
+    1976), differences of like exponentials taken together, so that nothing is lost where little is absorbed.
     """
     xp, g = namespace(cosine, *air), air.asymmetry
     peak = air.albedo * g * g
