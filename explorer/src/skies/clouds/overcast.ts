@@ -12,6 +12,9 @@ import { beamOnGround, KINDS, once, opticsOf, type Kind } from "./optics";
 const COARSE = 33;
 const REFINER = new Refiner(NODES, COARSE);
 
+/** Turns of the fine grid from one at which the light scattered once is asked to the next. */
+const STRIDE = 9;
+
 /** Illuminance, lx, below which no sun is seen. */
 const LEAST = 1e-3;
 
@@ -48,15 +51,17 @@ export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: numb
   const rest = restOf(air, sine, COARSE);
   for (let c = 0; c < 3; c++) REFINER.refine(rest, c * NODES * COARSE, grid, 9 + c, strength * share);
   const { mixture } = KINDS[kind];
+  const amounts = mixture.flatMap((part) => [0, 1, 2].map((c) => part.map((value, w) => value * table.colours[w][c] * strength * share)));
   for (let row = 0; row < ROWS; row++) {
-    for (let turn = 0; turn < TURNS; turn++) {
+    let before: number[] = [];
+    for (let turn = 0; turn < TURNS; turn += STRIDE) {
       const single = once(air, heightOf(row), sine, angleAt(row, turn, sine));
-      for (let s = 0; s < 3; s++) {
-        for (let c = 0; c < 3; c++) {
-          const light = single.reduce((total, value, w) => total + value * mixture[s][w] * table.colours[w][c], 0);
-          grid[(row * TURNS + turn) * 12 + 3 * s + c] = light * strength * share;
-        }
+      const light = amounts.map((each) => each.reduce((total, value, w) => total + value * single[w], 0));
+      for (let back = turn ? STRIDE - 1 : 0; back >= 0; back--) {
+        const at = (row * TURNS + turn - back) * 12;
+        for (let k = 0; k < 9; k++) grid[at + k] = back ? light[k] + ((before[k] - light[k]) * back) / STRIDE : light[k];
       }
+      before = light;
     }
   }
   const beam = beamOnGround(air, sun[2]).reduce((total, value, w) => total + value * table.colours[w][1], 0);

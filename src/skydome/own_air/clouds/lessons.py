@@ -74,7 +74,7 @@ def node_views() -> tuple[np.ndarray, np.ndarray]:
 def angles(sines: np.ndarray) -> np.ndarray:
     """Cosines of the nodes' angles to suns of such sines (N,), (N, nodes)."""
     (view, relative), sine = node_views(), sines[:, None]
-    return np.minimum(view * sine + np.sqrt((1 - view**2) * (1 - sine**2)) * np.cos(relative), 1.0)
+    return np.asarray(np.minimum(view * sine + np.sqrt((1 - view**2) * (1 - sine**2)) * np.cos(relative), 1.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,4 +111,4 @@ class OvercastLessons(Cases):
     @property
     def glow(self) -> np.ndarray:
         """The glow about the sun at the nodes, float32, (N, nodes)."""
-        return glow(angles(self.sines)).astype(np.float32)
+        return np.asarray(glow(angles(self.sines)), dtype=np.float32)

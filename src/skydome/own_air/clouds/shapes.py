@@ -104,7 +104,7 @@ def solid_angles() -> np.ndarray:
     height = np.gradient(node_views()[0].reshape(VIEWS, AZIMUTHS)[:, 0])
     turn = np.where(np.arange(AZIMUTHS) % (AZIMUTHS - 1) == 0, 0.5, 1.0)
     share = np.outer(height, turn).ravel()
-    return share / share.sum()
+    return np.asarray(share / share.sum())
 
 
 def series(shapes: np.ndarray, terms: int) -> np.ndarray:
