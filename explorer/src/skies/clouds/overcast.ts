@@ -45,7 +45,7 @@ function angleAt(row: number, turn: number, sine: number): number {
 
 /** The sky under a layer of an optical depth, its light times `share`; the sun's strength over that 1 AU away. */
 export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: number, strength: number, share: number): Overcast {
-  const sine = Math.max(0, sun[2]);
+  const sine = Math.max(table.leastCosine, sun[2]);
   const air = opticsOf(kind, depth, albedo);
   const grid = new Float32Array(ROWS * TURNS * 12);
   const rest = restOf(air, sine, COARSE);

@@ -10,6 +10,7 @@ from skydome.skies.clouds.layer_light import once
 from skydome.skies.clouds.layer_optics import LayerOptics
 from skydome.skies.clouds.overcast_network import OvercastNetwork
 from skydome.skies.clouds.two_streams import light_of
+from skydome.skies.physical.cosine_series import LEAST_COSINE
 from skydome.skies.physical.held import HeldSky, mixture, node_cosines, series_of
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import SunlitSky
@@ -22,7 +23,7 @@ def held_overcast(
     cloud scatters once apart.
     """
     cloud, laws = air.constituents[-1], tuple(part.phase_law for part in air.constituents)
-    height, (view, turn, angle) = np.maximum(sun[2], 0.0), node_cosines(sun)
+    height, (view, turn, angle) = np.maximum(sun[2], LEAST_COSINE), node_cosines(sun)
     shapes = network.with_glow(network.at_nodes(turn), angle)
     coefficients = network.coefficients(features(numbers, height), height)
     rest = light_of(mixed(coefficients, shapes.reshape(-1, shapes.shape[-1])), numbers, height)

@@ -30,6 +30,7 @@ from skydome.skies.clouds.overcast_files import load_overcast, shipped_overcast
 from skydome.skies.clouds.overcast_network import OvercastNetwork
 from skydome.skies.clouds.two_streams import light_of
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.physical.cosine_series import LEAST_COSINE
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import applied
@@ -215,7 +216,7 @@ class OvercastSky(SunlitSky, SpectralSky):
         self, sun: Array, views: Array, numbers: LayerOptics, wavelengths: np.ndarray, law: PhaseLaw | None = None
     ) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W); the cloud's own phase `law`, or another."""
-        xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], 0.0)
+        xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], LEAST_COSINE)
         angle = limited(xp.sum(sun * views, axis=-1), -1.0, 1.0)
         shapes = self.taught.with_glow(self.taught.at(view, cosine_of_turn(sun, views)), angle)
         coefficients = self.taught.coefficients(features(numbers, height), height)
