@@ -20,7 +20,8 @@ from skydome.skies.clouds.layer_optics import LayerOptics, layer_optics
 from skydome.skies.clouds.model import KINDS
 from skydome.skies.clouds.overcast import OvercastSky
 from skydome.skies.clouds.overcast_files import shipped_overcast
-from skydome.skies.clouds.two_streams import DARK, DIFFUSE, OZONE_HEIGHT, TO_THE_CLOUD
+from skydome.skies.clouds.overcast_network import GLOW, STRENGTH
+from skydome.skies.clouds.two_streams import DARK, DIFFUSE, LEAST_LOST, MEAN, OZONE_HEIGHT, TO_THE_CLOUD
 from skydome.skies.physical.cosine_series import LEAST_COSINE
 from skydome.skies.physical.sky_colours import SkyColours
 
@@ -74,11 +75,19 @@ def table() -> dict[str, Any]:
         "shapes": half(network.shapes),
         "places": plain(network.places),
         "dark": DARK,
-        "streams": {"ozoneHeight": OZONE_HEIGHT, "diffuse": DIFFUSE, "toTheCloud": TO_THE_CLOUD},
+        "streams": {
+            "ozoneHeight": OZONE_HEIGHT,
+            "diffuse": DIFFUSE,
+            "toTheCloud": TO_THE_CLOUD,
+            "leastLost": LEAST_LOST,
+            "mean": MEAN,
+        },
+        "glow": {"width": GLOW, "strength": STRENGTH},
         "least": LEAST,
         "leastCosine": LEAST_COSINE,
         "earth": EARTH_RADIUS,
         "height": sky.cloud.profile.mean_height,
+        "thickness": sky.cloud.thickness,
         "above": plain(numbers.above),
         "below": plain(numbers.below),
         "ozone": plain(numbers.ozone),

@@ -307,7 +307,9 @@ def test_clouds_by_day_and_night():
     low = sd.direction(0.0, 0.05)
     day = sd.OvercastSky(sd.direction(np.arange(0.0, 6.0, 0.5), 0.7), 20.0)
     darker = (day.luminance(low) / day.luminance(sd.ZENITH)).mean()  # the sun's azimuth taken out
-    assert float(night.luminance(low) / night.luminance(sd.ZENITH)) == pytest.approx(darker, rel=0.02)
+    assert float(night.luminance(low) / night.luminance(sd.ZENITH)) == pytest.approx(
+        darker, rel=0.04
+    )  # no air below it
     evening = sd.light_at(PLACE, [MOONLESS, FULL], clouds=20.0)
     np.testing.assert_allclose(evening.total[1], float(sd.illuminance(night)), rtol=5e-3)
     for wrong, words in (

@@ -3,8 +3,8 @@
 import table from "../../data/overcast.json";
 import { halves } from "../../core/half";
 import { DEG, limited } from "../../core/vector";
-import { WAVES, type Optics } from "./optics";
-import { streamsOf, type Streams } from "./streams";
+import { bend, mass, massOfOzone, scaled, WAVES, type Optics } from "./optics";
+import { courseOf, type Course } from "./streams";
 
 const [SHAPES, NODES, TERMS] = table.shapes.shape;
 export { NODES };
@@ -13,27 +13,32 @@ export { NODES };
 const placeOf = (degrees: number): number => Math.asinh((degrees + 4) / 8);
 
 /** What the network reads at wavelength number w, the sun's elevation by its sine. */
-function features(air: Optics, sine: number, w: number, two: Streams): number[] {
+function features(air: Optics, sine: number, w: number, two: Course): number[] {
   const { exp, log, sqrt } = Math;
   const above = (sine + sqrt(sine * sine + 0.01)) / 2;
   const path = 1 / (above + 0.05);
   const [m, n, o, tau] = [air.above[w], air.below[w], air.ozone[w], air.cloud[w]];
   const [a, g, f, { ground }] = [air.albedo[w], air.asymmetry[w], air.peak[w], air];
-  const { turned, dying, mirror, mass, high, coming, through, typical } = two;
-  const [lost, scaled] = [tau * (1 - a), tau * (1 - a * f)];
+  const deep = tau * (1 - a * g);
+  const fast = sqrt(Math.max(0, 3 * tau * (1 - a) * deep));
+  const [depth, curve] = [scaled(air, w), bend(air, w)];
+  const [low, steep, high] = [sine + curve, mass(sine), massOfOzone(sine, 0)];
+  const { sun, beam, sky, again, typical } = two;
   const degrees = Math.asin(sine) / DEG;
   return [
-    m, n, o, a, g, f, ground, mirror, dying, lost, exp(-0.3 * path * scaled), exp(-0.3 * scaled),
-    log(tau), log(turned), log(1 + 0.75 * turned), log(1 + dying), log(1 + lost),
-    log(m + 0.01), log(n + 0.01), ground * mirror, log(1.02 - ground * mirror), ground * n,
-    path * m, path * o, exp(-path * m), exp(-path * o), log(1 + path * turned),
-    mass * m, high * o, exp(-mass * m), exp(-high * o), log(coming + table.dark), log(through + table.dark), log(typical),
+    m, n, o, a, g, f, ground, table.height / 1e4, table.thickness / 2e3,
+    log(tau), log(deep), log(1 + 0.75 * deep), log(m + 0.01), log(n + 0.01),
+    fast, log(1 + fast), sqrt(((1 - a) * tau) / deep), sun.back, again, log(1.02 - again),
+    ground * n, path * m, exp(-path * m), steep * m, high * o, exp(-steep * m), exp(-high * o),
+    exp(-0.3 * depth), exp(-0.3 * path * depth), exp(-depth / low), log(1 + path * deep),
+    sun.straight, sun.spread, log(sun.through + table.dark), sky / (beam + sky + table.dark),
+    log(beam + sky + table.dark), log(typical), log(low), sqrt(curve / low),
     placeOf(degrees), sine, exp(-(((degrees + 2) / 5) ** 2)), exp(-(((degrees - 3) / 6) ** 2)), path,
   ];
 }
 
-/** How much of each shape: Chebyshev polynomials of the sun's place for the first, the network's for the others. */
-function coefficients(air: Optics, sine: number, w: number, two: Streams): number[] {
+/** How much of each shape: Chebyshev polynomials of the sun's place for the first, the network's for the others; the last of the glow. */
+function coefficients(air: Optics, sine: number, w: number, two: Course): number[] {
   const [low, high] = table.places;
   const x = limited((2 * placeOf(Math.asin(sine) / DEG) - low - high) / (high - low), -1, 1);
   let found = features(air, sine, w, two);
@@ -43,9 +48,9 @@ function coefficients(air: Optics, sine: number, w: number, two: Streams): numbe
     for (let i = 0; i < inputs; i++) for (let k = 0; k < outputs; k++) next[k] += found[i] * matrix[i * outputs + k];
     found = Array.from(next, (z) => (number < table.layers.length - 1 ? z / (1 + Math.exp(limited(-z, -60, 60))) : z));
   });
-  const mean = [1, x];
-  while (mean.length < SHAPES - found.length) mean.push(2 * x * mean[mean.length - 1] - mean[mean.length - 2]);
-  return [...mean.slice(0, SHAPES - found.length), ...found];
+  const [mean, count] = [[1, x], SHAPES + 1 - found.length];
+  while (mean.length < count) mean.push(2 * x * mean[mean.length - 1] - mean[mean.length - 2]);
+  return [...mean.slice(0, count), ...found];
 }
 
 /** Values of the shapes at the nodes and at even azimuths, (shapes, nodes x turns). */
@@ -64,17 +69,30 @@ function onTurns(turns: number): Float32Array {
 
 let shapesOnTurns: Float32Array | null = null;
 
+/** The glow about the sun at the nodes and at even azimuths, (nodes x turns). */
+function glowOn(turns: number, sine: number): Float32Array {
+  const { width, strength } = table.glow;
+  const level = Math.sqrt(Math.max(0, 1 - sine * sine));
+  return Float32Array.from({ length: NODES * turns }, (_, n) => {
+    const view = Math.cos(Math.acos(table.leastCosine) * (1 - (Math.floor(n / turns) / (NODES - 1)) ** 2));
+    const turn = Math.cos((Math.PI * (n % turns)) / (turns - 1));
+    return strength * Math.exp((view * sine + Math.sqrt(1 - view * view) * level * turn - 1) / width);
+  });
+}
+
 /** X, Y and Z of the rest for a sun 1 AU away, each (nodes, turns), one after the other. */
 export function restOf(air: Optics, sine: number, turns: number): Float32Array {
   const shapes = (shapesOnTurns ??= onTurns(turns));
   const count = NODES * turns;
+  const glow = glowOn(turns, sine);
   const light = new Float32Array(3 * count);
   const log = new Float64Array(count);
   for (let w = 0; w < WAVES; w++) {
     log.fill(0);
-    const two = streamsOf(air, sine, w);
+    const two = courseOf(air, sine, w);
     coefficients(air, sine, w, two).forEach((amount, s) => {
-      for (let n = 0; n < count; n++) log[n] += amount * shapes[s * count + n];
+      const [shape, first] = s < SHAPES ? [shapes, s * count] : [glow, 0];
+      for (let n = 0; n < count; n++) log[n] += amount * shape[first + n];
     });
     const colour = table.colours[w];
     for (let n = 0; n < count; n++) {

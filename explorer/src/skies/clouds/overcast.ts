@@ -12,6 +12,9 @@ import { beamOnGround, KINDS, once, opticsOf, type Kind } from "./optics";
 const COARSE = 33;
 const REFINER = new Refiner(NODES, COARSE);
 
+/** Turns of the fine grid from one at which the light scattered once is asked to the next. */
+const STRIDE = 9;
+
 /** Illuminance, lx, below which no sun is seen. */
 const LEAST = 1e-3;
 
@@ -33,21 +36,32 @@ function heightOf(row: number): number {
   return Math.cos(Math.acos(table.leastCosine) * (1 - (row / (ROWS - 1)) ** 2));
 }
 
+/** Cosine of the angle between the sun and a place of the fine grid. */
+function angleAt(row: number, turn: number, sine: number): number {
+  const view = heightOf(row);
+  const level = Math.sqrt((1 - view * view) * Math.max(0, 1 - sine * sine));
+  return view * sine + level * Math.cos((Math.PI * turn) / (TURNS - 1));
+}
+
 /** The sky under a layer of an optical depth, its light times `share`; the sun's strength over that 1 AU away. */
 export function overcastLight(sun: Vec3, kind: Kind, depth: number, albedo: number, strength: number, share: number): Overcast {
-  const sine = Math.max(0, sun[2]);
+  const sine = Math.max(table.leastCosine, sun[2]);
   const air = opticsOf(kind, depth, albedo);
   const grid = new Float32Array(ROWS * TURNS * 12);
   const rest = restOf(air, sine, COARSE);
   for (let c = 0; c < 3; c++) REFINER.refine(rest, c * NODES * COARSE, grid, 9 + c, strength * share);
   const { mixture } = KINDS[kind];
+  const amounts = mixture.flatMap((part) => [0, 1, 2].map((c) => part.map((value, w) => value * table.colours[w][c] * strength * share)));
   for (let row = 0; row < ROWS; row++) {
-    const single = once(air, heightOf(row), sine);
-    for (let s = 0; s < 3; s++) {
-      for (let c = 0; c < 3; c++) {
-        const light = single.reduce((total, value, w) => total + value * mixture[s][w] * table.colours[w][c], 0);
-        for (let turn = 0; turn < TURNS; turn++) grid[(row * TURNS + turn) * 12 + 3 * s + c] = light * strength * share;
+    let before: number[] = [];
+    for (let turn = 0; turn < TURNS; turn += STRIDE) {
+      const single = once(air, heightOf(row), sine, angleAt(row, turn, sine));
+      const light = amounts.map((each) => each.reduce((total, value, w) => total + value * single[w], 0));
+      for (let back = turn ? STRIDE - 1 : 0; back >= 0; back--) {
+        const at = (row * TURNS + turn - back) * 12;
+        for (let k = 0; k < 9; k++) grid[at + k] = back ? light[k] + ((before[k] - light[k]) * back) / STRIDE : light[k];
       }
+      before = light;
     }
   }
   const beam = beamOnGround(air, sun[2]).reduce((total, value, w) => total + value * table.colours[w][1], 0);

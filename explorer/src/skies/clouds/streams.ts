@@ -1,44 +1,64 @@
 /** What two streams of light make of a layer of cloud at one wavelength: what the network reads, and its unit of light. */
 
 import table from "../../data/overcast.json";
-import { mass, type Optics } from "./optics";
+import { bend, mass, massOfOzone, scaled, type Optics } from "./optics";
 
-const { streams, dark, earth } = table;
+const { streams, dark } = table;
 
-export interface Streams {
-  /** Depth of the cloud by similarity, how fast light dies in it, and what it mirrors of light from below. */
-  turned: number;
-  dying: number;
-  mirror: number;
-  /** Optical masses of air and ozone. */
-  mass: number;
-  high: number;
-  /** Light on the level cloud for a sun of irradiance 1, and the share of upright light that comes through. */
-  coming: number;
+/** Shares of light that a cloud makes of a beam and of even light: not scattered, gone through, sent back. */
+interface Shares {
+  straight: number;
+  spread: number;
   through: number;
-  /** Radiance under the cloud, the same everywhere, sr-1. */
+  back: number;
+}
+
+/** Sunlight of irradiance 1 on its way. */
+export interface Course {
+  sun: Shares;
+  /** Light of the beam and of the air above on the cloud. */
+  beam: number;
+  sky: number;
+  /** Share of the light below the cloud that comes down once more. */
+  again: number;
+  /** Radiance of the dome, the same everywhere, sr-1. */
   typical: number;
 }
 
-/** Optical mass of ozone, which lies high: a straight way through a thin shell. */
-function highMass(sine: number): number {
-  const ratio = (earth / (earth + streams.ozoneHeight)) ** 2;
-  return 1 / Math.sqrt(1 - ratio * (1 - sine * sine));
+/** Eddington's two streams of delta-scaled numbers, for a beam of a cosine to the vertical. */
+function sharesOf(air: Optics, w: number, cosine: number): Shares {
+  const { exp, expm1, sqrt, max, min } = Math;
+  const [albedo, asymmetry] = [air.albedo[w], air.asymmetry[w]];
+  const peak = albedo * asymmetry ** 2;
+  const [lost, depth] = [max((1 - albedo) / (1 - peak), streams.leastLost), air.cloud[w] * (1 - peak)];
+  const [a, g] = [1 - lost, asymmetry / (1 + asymmetry)];
+  const k = sqrt(3 * lost * (1 - a * g));
+  const c = min(cosine, 0.97 / k);
+  const [ahead, back, up] = [(7 - a * (4 + 3 * g)) / 4, (a * (4 - 3 * g) - 1) / 4, (2 - 3 * g * c) / 4];
+  const [own, straight] = [ahead * (1 - up) + back * up, exp(-depth / c)];
+  const [fallen, twice] = [exp(-k * depth), -expm1(-2 * k * depth)];
+  const whole = 2 * k + (ahead - k) * twice;
+  const part = 2 * k * (1 - up + own * c) * (fallen - straight) - straight * (1 - k * c) * (own - k * (1 - up)) * twice;
+  const spread = (a * part) / ((1 - (k * c) ** 2) * whole);
+  return { straight, spread, through: (2 * k * fallen) / whole, back: (back * twice) / whole };
 }
 
+/** Share of even light that clear air sends back. */
+const airMirrors = (depth: number): number => (0.75 * depth) / (1 + 0.75 * depth);
+
 /** At wavelength number w, the sun's elevation by its sine. */
-export function streamsOf(air: Optics, sine: number, w: number): Streams {
-  const [depth, albedo, path, high] = [air.cloud[w], air.albedo[w], mass(sine), highMass(sine)];
-  const turned = depth * (1 - albedo * air.asymmetry[w]);
-  const dying = Math.sqrt(Math.max(0, 3 * depth * (1 - albedo) * turned));
-  const mirror = (0.75 * turned) / (1 + 0.75 * turned);
-  const [left, scattered] = [Math.exp(-high * air.ozone[w]), -Math.expm1(-path * air.above[w])];
-  const [beam, sky] = [left * sine * (1 - scattered), (left * streams.toTheCloud * scattered) / path];
-  const safe = Math.max(dying, 1e-3);
-  const passed = (cosine: number) =>
-    ((((2 + 3 * cosine) / (4 + 3 * turned)) * safe) / Math.sinh(safe)) * -Math.expm1(-depth);
-  const cosine = (beam * sine + sky * streams.diffuse) / Math.max(beam + sky, 1e-30);
-  const back = (air.ground * mirror) / (1 + dying);
-  const typical = ((beam + sky) * passed(cosine)) / (Math.PI * (1 - back)) + dark;
-  return { turned, dying, mirror, mass: path, high, coming: beam + sky, through: passed(1), typical };
+export function courseOf(air: Optics, sine: number, w: number): Course {
+  const [path, left] = [mass(sine), Math.exp(-massOfOzone(sine, 0) * air.ozone[w])];
+  const [low, depth] = [sine + bend(air, w), scaled(air, w)];
+  const scattered = -Math.expm1(-path * air.above[w]);
+  const [beam, sky] = [left * low * (1 - scattered), (left * streams.toTheCloud * scattered) / path];
+  const [sun, even] = [sharesOf(air, w, low), sharesOf(air, w, streams.diffuse)];
+  const more = Math.max(sun.straight + sun.spread - Math.exp(-depth / low), 0) * -Math.expm1(-depth / low);
+  const [above, below] = [airMirrors(air.above[w]), airMirrors(air.below[w])];
+  const upward = beam * Math.max(sun.through + sun.back - sun.straight - sun.spread, 0) + sky * sun.back;
+  const first = beam * more + sky * (even.straight + even.spread) + (upward * above * sun.through) / (1 - sun.back * above);
+  const ground = (1 - below) / (1 - below * air.ground);
+  const again = sun.back * (below + (1 - below) * ground * air.ground);
+  const typical = ((first * ground) / (Math.PI * (1 - again))) * (streams.mean + (1 - streams.mean) * again) + dark;
+  return { sun, beam, sky, again, typical };
 }

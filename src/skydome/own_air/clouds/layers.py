@@ -1,6 +1,6 @@
 """Random layers of cloud in random air, each under one sun at one wavelength: what the overcast sky is taught."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,3 +45,11 @@ def random_layer(random: np.random.Generator) -> RandomLayer:
         90.0 * random.random() ** 1.5,
         random.uniform(320.0, 800.0) if visible else random.uniform(800.0, 1800.0),
     )
+
+
+def hard_layer(random: np.random.Generator) -> RandomLayer:
+    """One where the light changes fastest: most under a sun below 8 degrees, a third at 320-365 nm."""
+    layer = random_layer(random)
+    elevation = 8.0 * random.random() ** 2 if random.random() < 0.7 else layer.elevation
+    wavelength = random.uniform(320.0, 365.0) if random.random() < 0.35 else layer.wavelength
+    return replace(layer, elevation=elevation, wavelength=wavelength)

@@ -11,15 +11,19 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.files.reading import arrays_in
 from skydome.own_air.all_air.lessons import AZIMUTHS, HELD, MOST_BYTES, VIEWS, Cases, write_missing
-from skydome.own_air.clouds.layers import RandomLayer, random_layer
+from skydome.own_air.clouds.layers import RandomLayer, hard_layer, random_layer
+from skydome.skies.clouds.layer_features import features
 from skydome.skies.clouds.layer_light import once
 from skydome.skies.clouds.layer_optics import PEAK, LayerOptics, layer_optics
-from skydome.skies.clouds.two_streams import DARK, features, typical
+from skydome.skies.clouds.overcast_network import glow
+from skydome.skies.clouds.two_streams import DARK, course
 from skydome.skies.physical.cosine_series import LEAST_COSINE, interpolated, view_nodes
 from skydome.skies.physical.discrete_ordinates import Solution
 
 CASES = 32
 """In a batch."""
+EASY = 148
+"""The first so many batches are of layers as they come; of those after, every other one is of hard ones."""
 ACCURACY = 1e-4
 """Of the azimuth's terms: they end where two came to less than this of the light."""
 
@@ -35,34 +39,47 @@ def make_overcast_lessons(
 
 
 def lesson_of(seed: int, number: int) -> dict[str, np.ndarray]:
-    """The arrays of a batch's file: sines of suns (N,), optical numbers (8, N), `rest` and `once` (N, nodes)."""
-    random = np.random.default_rng((seed, number, 2))
-    solved = [solve(random_layer(random)) for _ in range(CASES)]
+    """The arrays of a batch's file: sines of suns (N,), optical numbers (10, N), `rest` and `once` (N, nodes)."""
+    random, draw = (
+        np.random.default_rng((seed, number, 2)),
+        hard_layer if number >= EASY and number % 2 else random_layer,
+    )
+    solved = [solve(draw(random)) for _ in range(CASES)]
     sines, numbers, rest, single = zip(*solved, strict=True)
     return {"sines": np.array(sines), "air": np.array(numbers).T, "rest": np.stack(rest), "once": np.stack(single)}
 
 
 def solve(layer: RandomLayer) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
-    """The sun's sine, the numbers (8,), and at the nodes, float32: the rest, and what the cloud scatters once."""
+    """The sun's sine, the numbers (10,), and at the nodes, float32: the rest, and what the cloud scatters once."""
     w = np.array([layer.wavelength])
     sine = max(float(np.sin(np.radians(layer.elevation))), LEAST_COSINE)
     air = Atmosphere((layer.molecules, layer.ozone, layer.cloud), albedo=layer.albedo)
     solution = Solution.of(air, sine, w, PEAK, ACCURACY)
-    view, relative = (
-        v.ravel() for v in np.meshgrid(view_nodes(VIEWS - 8), np.linspace(0, np.pi, AZIMUTHS), indexing="ij")
-    )
-    angle = view * sine + np.sqrt((1 - view**2) * (1 - sine**2)) * np.cos(relative)
+    view, relative = node_views()
+    angle = angles(np.array([sine]))[0]
     molecules = layer.molecules.phase_law.value(angle, w) * solution.layers.strengths(view, angle, sine)[0]
     rest = (interpolated(solution.series, view, relative) + molecules)[:, 0]
     numbers = layer_optics(layer.molecules, layer.ozone, layer.cloud, np.array([layer.albedo]), w)
-    single = once(numbers, layer.cloud.profile.mean_height, view, np.array(sine))[:, 0]
+    single = once(numbers, view, np.array(sine), angle)[:, 0]
     single = single * layer.cloud.phase_law.value(angle, w)[:, 0]
     return sine, np.concatenate(numbers), *(part.astype(np.float32) for part in (rest, single))
 
 
+def node_views() -> tuple[np.ndarray, np.ndarray]:
+    """Cosine to the vertical and azimuth from the sun of the nodes, (nodes,) each."""
+    view, relative = np.meshgrid(view_nodes(VIEWS - 8), np.linspace(0, np.pi, AZIMUTHS), indexing="ij")
+    return view.ravel(), relative.ravel()
+
+
+def angles(sines: np.ndarray) -> np.ndarray:
+    """Cosines of the nodes' angles to suns of such sines (N,), (N, nodes)."""
+    (view, relative), sine = node_views(), sines[:, None]
+    return np.asarray(np.minimum(view * sine + np.sqrt((1 - view**2) * (1 - sine**2)) * np.cos(relative), 1.0))
+
+
 @dataclass(frozen=True, eq=False)
 class OvercastLessons(Cases):
-    """Cases of a layer, its optical numbers (N,); `once` is the cloud's. Light in units of `typical`."""
+    """Cases of a layer, its optical numbers (N,); `once` is the cloud's. Light in units of `Course.typical`."""
 
     air: LayerOptics
 
@@ -78,7 +95,7 @@ class OvercastLessons(Cases):
         sines, rest, single = (np.concatenate([part[name] for part in read]) for name in names[1:])
         held = np.arange(len(sines)) * 7919 % HELD == 3
         air = LayerOptics(*numbers)
-        unit = typical(LayerOptics(*(part[:, None] for part in air)), sines).astype(np.float32)
+        unit = course(LayerOptics(*(part[:, None] for part in air)), sines).typical.astype(np.float32)
         every = cls(sines, (np.maximum(rest, 0.0) + np.float32(DARK)) / unit, single / unit, held, air)
         return every.chosen(every.air.albedo > LEAST_ALBEDO)
 
@@ -90,3 +107,8 @@ class OvercastLessons(Cases):
     def inputs(self) -> np.ndarray:
         """What the network reads, (N, 1, F)."""
         return np.asarray(features(LayerOptics(*(part[:, None] for part in self.air)), self.sines))
+
+    @property
+    def glow(self) -> np.ndarray:
+        """The glow about the sun at the nodes, float32, (N, nodes)."""
+        return np.asarray(glow(angles(self.sines)), dtype=np.float32)

@@ -1,15 +1,19 @@
-"""The overcast sky's network, trained on lessons as the physical sky's are."""
+"""The overcast sky's network, trained on lessons: shapes of the dome first, then a network of their coefficients."""
 
 from collections.abc import Callable
 from os import PathLike
 
-from skydome.own_air.all_air.training import Course, rms_error, taught
-from skydome.own_air.clouds.lessons import OvercastLessons
-from skydome.own_air.clouds.polishing import polished
-from skydome.skies.clouds.overcast_files import save_overcast
+import numpy as np
 
-OVERCAST = Course(0.0, 90.0, shapes=24, tamed=0.1, mean_shapes=5, width=72, steps=16_000, terms=9)
-POLISHING = 750
+from skydome.own_air.all_air.training import Course, whole
+from skydome.own_air.clouds.fitting import fitted
+from skydome.own_air.clouds.lessons import OvercastLessons
+from skydome.own_air.clouds.shapes import CloudShapes, solid_angles
+from skydome.skies.clouds.overcast_files import save_overcast
+from skydome.skies.clouds.overcast_network import OvercastNetwork
+
+OVERCAST = Course(0.0, 90.0, shapes=20, tamed=0.1, mean_shapes=4, width=89, steps=5000, terms=7)
+POLISHING = 3000
 """Steps over all cases, after the course's over some."""
 
 
@@ -25,6 +29,17 @@ def train_overcast(
     held back. Needs torch.
     """
     lessons = OvercastLessons.load(folder)
-    network = polished(taught(lessons, course, seed, report), lessons.chosen(~lessons.held), polishing)
+    taught = lessons.chosen(~lessons.held)
+    network = fitted(taught, CloudShapes.of(taught, course), course, polishing, seed, report)
     save_overcast(output, network, f"skydome.own_air.clouds: seed {seed}, {course}")
     return rms_error(network, lessons.chosen(lessons.held))
+
+
+def rms_error(network: OvercastNetwork, lessons: OvercastLessons) -> float:
+    """Of the whole radiance over the domes of all cases, even in solid angle; ValueError where no case is left."""
+    if not len(lessons.sines):
+        raise ValueError("no layer is held back: make more lessons")
+    coefficients = network.coefficients(lessons.inputs(), lessons.sines)[:, 0]
+    logs = coefficients[:, :-1] @ whole(network.shapes) + coefficients[:, -1:] * lessons.glow
+    off = (np.exp(logs) - lessons.rest) / (lessons.rest + lessons.once)
+    return float(np.sqrt((off**2 @ solid_angles()).mean()))

@@ -75,12 +75,17 @@ class RestNetwork:
     shapes: np.ndarray
     places: tuple[float, float]
 
+    @property
+    def mean_shapes(self) -> int:
+        """How many shapes are those of mean air."""
+        return len(self.shapes) - len(self.layers[-1][1])
+
     def coefficients(self, inputs: Array, sine: Array) -> Array:
         """How much of each shape, (..., W, S), from features (..., W, F) and the sine of the sun's elevation (...,)."""
         xp = namespace(inputs)
         low, high = self.places
         x = limited((2 * place_of(sine) - low - high) / (high - low), -1.0, 1.0)
-        mean = cosine_series(x, len(self.shapes) - len(self.layers[-1][1]))[..., None, :]
+        mean = cosine_series(x, self.mean_shapes)[..., None, :]
         found = inputs
         for number, (weights, biases) in enumerate(self.layers):
             found = found @ constant(weights, inputs) + constant(biases, inputs)

@@ -10,6 +10,7 @@ from skydome.air.clouds.particles import CloudParticles
 from skydome.air.constituents import Constituent
 from skydome.ground.arrays import Array, as_numpy, is_concrete, namespace
 from skydome.ground.limits.ranges import Range, inside
+from skydome.ground.units import EARTH_RADIUS
 
 PEAK = 32
 """The Legendre moment from which on scattering counts as straight on: the streams of the teacher."""
@@ -23,6 +24,8 @@ TAUGHT = {
     "asymmetry": Range(0.76, 0.94),
     "peak": Range(0.0, 0.85),
     "ground": Range(0.0, 1.0),
+    "height": Range(25.0, 14_000.0, "m"),
+    "thickness": Range(50.0, 4000.0, "m"),
 }
 NAMES = {
     "above": "optical depth of molecules above the cloud",
@@ -33,11 +36,13 @@ NAMES = {
     "asymmetry": "asymmetry of the cloud",
     "peak": "forward peak of the cloud",
     "ground": "albedo of the ground",
+    "height": "height of the cloud's middle",
+    "thickness": "thickness of the cloud",
 }
 
 
 class LayerOptics(NamedTuple):
-    """The numbers of `TAUGHT`, each (..., W): optical depths, the cloud's numbers, the ground's albedo."""
+    """The numbers of `TAUGHT`, each (..., W) or (1,): optical depths, the cloud's numbers, the ground's albedo."""
 
     above: Array
     """Of molecules, from the middle of the cloud up."""
@@ -49,6 +54,24 @@ class LayerOptics(NamedTuple):
     peak: Array
     """Moment number `PEAK` of the phase function."""
     ground: Array
+    height: Array
+    """Of the cloud's middle, m."""
+    thickness: Array
+    """Of the cloud, m."""
+
+    @property
+    def scaled(self) -> Array:
+        """The cloud's depth without its forward peak, (..., W)."""
+        return self.cloud * (1 - self.albedo * self.peak)
+
+    @property
+    def bend(self) -> Array:
+        """What the earth's roundness adds to a low sun's sine, (..., W).
+
+        A beam of sine s leaves s + T / (R t) on each unit of the level area of a round layer of thickness T, radius R
+        and depth t, where it ends in the layer.
+        """
+        return self.thickness / (EARTH_RADIUS * self.scaled)
 
     @property
     def allowed(self) -> Array:
@@ -66,7 +89,8 @@ def layer_optics(
     share = float(molecules.profile.above(np.asarray(cloud.profile.mean_height)))
     peak = cloud.phase_law.moments(PEAK + 1, wavelengths)[PEAK]
     depths = ozone.depth(wavelengths), cloud.depth(wavelengths)
-    return LayerOptics(air * share, air * (1 - share), *depths, seen.albedo, seen.asymmetry, peak, ground)
+    place = (np.array([number]) for number in (cloud.profile.mean_height, cloud.thickness))
+    return LayerOptics(air * share, air * (1 - share), *depths, seen.albedo, seen.asymmetry, peak, ground, *place)
 
 
 def require_known(kind: CloudParticles) -> None:

@@ -20,14 +20,17 @@ from skydome.ground.limits.ranges import SHARE, Range, require
 from skydome.light.spectrum import Spectrum, checked_wavelengths, xyz_weights
 from skydome.skies.all_air.blocks import blocks, part_of
 from skydome.skies.all_air.low_aerosol import same
-from skydome.skies.all_air.rest import RestNetwork, cosine_of_turn, mixed
+from skydome.skies.all_air.rest import cosine_of_turn, mixed
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
 from skydome.skies.clouds.held_overcast import held_overcast
+from skydome.skies.clouds.layer_features import features
 from skydome.skies.clouds.layer_light import beam, once
 from skydome.skies.clouds.layer_optics import TAUGHT, LayerOptics, layer_optics, require_known, require_taught
 from skydome.skies.clouds.overcast_files import load_overcast, shipped_overcast
-from skydome.skies.clouds.two_streams import features, light_of
+from skydome.skies.clouds.overcast_network import OvercastNetwork
+from skydome.skies.clouds.two_streams import light_of
 from skydome.skies.colour_sky import SpectralSky
+from skydome.skies.physical.cosine_series import LEAST_COSINE
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.sky import Sky, SunlitSky
 from skydome.skies.validity import applied
@@ -109,7 +112,7 @@ class OvercastSky(SunlitSky, SpectralSky):
         return Atmosphere(parts, ground, sun_scale=self.sun_scale)
 
     @cached_property
-    def taught(self) -> RestNetwork:
+    def taught(self) -> OvercastNetwork:
         """The network of the rest."""
         return shipped_overcast() if self.network is None else load_overcast(self.network)
 
@@ -213,10 +216,10 @@ class OvercastSky(SunlitSky, SpectralSky):
         self, sun: Array, views: Array, numbers: LayerOptics, wavelengths: np.ndarray, law: PhaseLaw | None = None
     ) -> Array:
         """Light for a sun of irradiance 1, sr-1, (..., W); the cloud's own phase `law`, or another."""
-        xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], 0.0)
-        shapes = self.taught.at(view, cosine_of_turn(sun, views))
+        xp, view, height = namespace(sun, views), views[..., 2], at_least(sun[..., 2], LEAST_COSINE)
+        angle = limited(xp.sum(sun * views, axis=-1), -1.0, 1.0)
+        shapes = self.taught.with_glow(self.taught.at(view, cosine_of_turn(sun, views)), angle)
         coefficients = self.taught.coefficients(features(numbers, height), height)
         rest = light_of(mixed(coefficients, shapes), numbers, height)
-        angle = limited(xp.sum(sun * views, axis=-1), -1.0, 1.0)
         phase = (law or self.cloud.phase_law).value(angle, wavelengths)
-        return rest + once(numbers, self.cloud.profile.mean_height, view, height) * phase
+        return rest + once(numbers, view, height, angle) * phase

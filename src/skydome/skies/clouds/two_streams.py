@@ -1,11 +1,12 @@
-"""What two streams of light would make of a layer of cloud: what the network's light is measured in, and reads."""
+"""What two streams of light would make of a layer of cloud in its air: what the network's light is measured in."""
+
+from typing import NamedTuple
 
 import numpy as np
 
 from skydome.air.optical_mass import kasten_young
 from skydome.ground.arrays import Array, at_least, namespace, safe_sqrt
 from skydome.ground.units import EARTH_RADIUS
-from skydome.skies.all_air.rest import heights_of
 from skydome.skies.clouds.layer_optics import LayerOptics
 
 OZONE_HEIGHT = 22_000.0
@@ -14,6 +15,10 @@ DIFFUSE = 0.6
 """Mean cosine to the vertical of skylight on the cloud."""
 TO_THE_CLOUD = 0.5
 """Share of the light scattered by the air above that goes down."""
+LEAST_LOST = 1e-5
+"""Least share of the light that is absorbed where it is scattered: below it the formulas lose their figures."""
+MEAN = 0.8
+"""Mean radiance of the dome over that of an even one of the same irradiance, over a black ground."""
 DARK = 1e-6
 """Light under which the network need not tell more or less from none, for a sun of irradiance 1, sr-1."""
 
@@ -24,9 +29,9 @@ def air_mass(sun: Array) -> Array:
     return kasten_young(xp.acos(xp.where(sun < 1, sun, xp.ones_like(sun))))
 
 
-def ozone_mass(sun: Array) -> Array:
-    """The same for ozone, which lies high: a straight way through a thin shell."""
-    ratio = (EARTH_RADIUS / (EARTH_RADIUS + OZONE_HEIGHT)) ** 2
+def ozone_mass(sun: Array, height: Array | float = 0.0) -> Array:
+    """The same for ozone, which lies high: a straight way from a `height`, m, through a thin shell."""
+    ratio = ((EARTH_RADIUS + height) / (EARTH_RADIUS + OZONE_HEIGHT)) ** 2
     return 1 / safe_sqrt(1 - ratio * (1 - sun * sun))
 
 
@@ -40,63 +45,88 @@ def dying(air: LayerOptics) -> Array:
     return safe_sqrt(3 * air.cloud * (1 - air.albedo) * turned(air))
 
 
+class Streams(NamedTuple):
+    """Shares of light, (..., W), that a cloud makes of a beam and of even light."""
+
+    straight: Array
+    """Of the beam, not scattered but by the forward peak."""
+    spread: Array
+    """Of the beam, scattered and gone through."""
+    through: Array
+    """Of even light, gone through."""
+    back: Array
+    """Of even light, sent back."""
+
+
+def streams(air: LayerOptics, cosine: Array) -> Streams:
+    """What the cloud makes of a beam of a `cosine` to the vertical (..., W), and of even light.
+
+    Eddington's two streams (Meador and Weaver 1980, eq. 14-15 and table 1) of delta-scaled numbers (Joseph et al.
+    1976), differences of like exponentials taken together, so that nothing is lost where little is absorbed.
+    """
+    xp, g = namespace(cosine, *air), air.asymmetry
+    peak = air.albedo * g * g
+    lost, depth = at_least((1 - air.albedo) / (1 - peak), LEAST_LOST), air.cloud * (1 - peak)
+    w, g = 1 - lost, g / (1 + g)
+    k = xp.sqrt(3 * lost * (1 - w * g))
+    cosine = xp.where(k * cosine < 0.97, cosine, 0.97 / k)  # at 1 the formula is 0 / 0
+    ahead, back, up = (7 - w * (4 + 3 * g)) / 4, (w * (4 - 3 * g) - 1) / 4, (2 - 3 * g * cosine) / 4
+    own, straight = ahead * (1 - up) + back * up, xp.exp(-depth / cosine)
+    fallen, twice = xp.exp(-k * depth), -xp.expm1(-2 * k * depth)
+    whole = 2 * k + (ahead - k) * twice
+    spread = 2 * k * (1 - up + own * cosine) * (fallen - straight)
+    spread = spread - straight * (1 - k * cosine) * (own - k * (1 - up)) * twice
+    spread = w * spread / ((1 - (k * cosine) ** 2) * whole)
+    return Streams(straight, spread, 2 * k * fallen / whole, back * twice / whole)
+
+
 def mirrored(air: LayerOptics) -> Array:
-    """Share of light from below that the cloud sends back, none absorbed, (..., W)."""
-    part = 0.75 * turned(air)
-    return part / (1 + part)
+    """Share of even light from above that the cloud sends back, (..., W)."""
+    return streams(air, DIFFUSE + 0 * air.cloud).back
 
 
-def on_the_cloud(air: LayerOptics, sun: Array) -> tuple[Array, Array]:
-    """Light of the sun's beam, and of the air above, on the level cloud, for a sun of irradiance 1, (..., W) each."""
+class Course(NamedTuple):
+    """What two streams make of sunlight of irradiance 1 on its way, (..., W)."""
+
+    sun: Streams
+    """Of the cloud, for the sun's beam."""
+    beam: Array
+    """Of the beam on the cloud's area."""
+    sky: Array
+    """Of the air above on the cloud's area."""
+    again: Array
+    """Share of the light below the cloud that comes back to it and down once more."""
+    typical: Array
+    """Radiance of the dome, the same everywhere, of what was scattered twice or more, sr-1: `DARK` or more."""
+
+
+def course(air: LayerOptics, sun: Array) -> Course:
+    """From the sun through air, cloud and air to the ground, and to and fro: `air` (..., W), `sun` its sine (...,)."""
     xp = namespace(sun, *air)
-    mass, left = air_mass(sun)[..., None], xp.exp(-ozone_mass(sun)[..., None] * air.ozone)
+    mass, left, sine = (
+        air_mass(sun)[..., None],
+        xp.exp(-ozone_mass(sun)[..., None] * air.ozone),
+        sun[..., None] + air.bend,
+    )
     scattered = -xp.expm1(-mass * air.above)
-    return left * sun[..., None] * (1 - scattered), left * TO_THE_CLOUD * scattered / mass
+    beam, sky = left * sine * (1 - scattered), left * TO_THE_CLOUD * scattered / mass
+    own, even = streams(air, sine), streams(air, DIFFUSE + 0 * sine)
+    straight = xp.exp(-air.scaled / sine)
+    more = at_least(own.straight + own.spread - straight, 0.0) * -xp.expm1(-air.scaled / sine)
+    above, below = air_mirrors(air.above), air_mirrors(air.below)
+    upward = beam * at_least(own.through + own.back - own.straight - own.spread, 0.0) + sky * own.back
+    first = beam * more + sky * (even.straight + even.spread) + upward * above * own.through / (1 - own.back * above)
+    ground = (1 - below) / (1 - below * air.ground)
+    again = own.back * (below + (1 - below) * ground * air.ground)
+    typical = first * ground / (np.pi * (1 - again)) * (MEAN + (1 - MEAN) * again) + DARK
+    return Course(own, beam, sky, again, typical)
 
 
-def passed(air: LayerOptics, cosine: Array) -> Array:
-    """Share of light of a `cosine` to the vertical (..., W) that comes through the cloud, (..., W).
-
-    Eddington's two streams (Meador and Weaver 1980), (2 + 3 cosine) / (4 + 3 (1 - g) depth), less what dies.
-    """
-    xp, lost = namespace(cosine, *air), dying(air)
-    safe = xp.where(lost > 1e-3, lost, xp.full_like(lost, 1e-3))
-    return (2 + 3 * cosine) / (4 + 3 * turned(air)) * safe / xp.sinh(safe) * -xp.expm1(-air.cloud)
-
-
-def typical(air: LayerOptics, sun: Array) -> Array:
-    """Radiance under the cloud for a sun of irradiance 1, the same everywhere, sr-1, (..., W), of `DARK` or more."""
-    beam, sky = on_the_cloud(air, sun)
-    cosine = (beam * sun[..., None] + sky * DIFFUSE) / at_least(beam + sky, 1e-30)
-    back = air.ground * mirrored(air) / (1 + dying(air))
-    return (beam + sky) * passed(air, cosine) / (np.pi * (1 - back)) + DARK
-
-
-def features(air: LayerOptics, sine: Array) -> Array:
-    """What the network reads, (..., W, F): optical numbers (..., W) and the sine of the sun's elevation (...,).
-
-    Beside the numbers, what two streams of light make of them: depths by similarity, what the cloud mirrors, how fast
-    light dies in it, how much of the beam is left above and below, what comes upon the cloud and through it.
-    """
-    xp = namespace(sine, *air)
-    above = (sine + xp.sqrt(sine * sine + 0.01)) / 2
-    path, mass, high = ((1 / (above + 0.05))[..., None], air_mass(sine)[..., None], ozone_mass(sine)[..., None])
-    m, n, o, tau, w, g, f, ground = air
-    deep, lost, scaled, fast, mirror = turned(air), tau * (1 - w), tau * (1 - w * f), dying(air), mirrored(air)
-    left, coming = xp.exp(-0.3 * path * scaled), sum(on_the_cloud(air, sine))
-    numbers = [
-        *(m, n, o, w, g, f, ground, mirror, fast, lost, left, xp.exp(-0.3 * scaled)),
-        *(xp.log(tau), xp.log(deep), xp.log(1 + 0.75 * deep), xp.log(1 + fast), xp.log(1 + lost)),
-        *(xp.log(m + 0.01), xp.log(n + 0.01), ground * mirror, xp.log(1.02 - ground * mirror), ground * n),
-        *(path * m, path * o, xp.exp(-path * m), xp.exp(-path * o), xp.log(1 + path * deep)),
-        *(mass * m, high * o, xp.exp(-mass * m), xp.exp(-high * o), xp.log(coming + DARK)),
-        *(xp.log(passed(air, 1 + 0 * m) + DARK), xp.log(typical(air, sine))),
-    ]
-    heights = [part[..., None] for part in heights_of(sine, above)]
-    return xp.stack(list(xp.broadcast_arrays(*numbers, *heights)), axis=-1)
+def air_mirrors(depth: Array) -> Array:
+    """Share of even light that clear air of an optical depth sends back."""
+    return 0.75 * depth / (1 + 0.75 * depth)
 
 
 def light_of(logs: Array, air: LayerOptics, sun: Array) -> Array:
     """Light scattered twice and more, sr-1, from the network's logarithms, (..., W)."""
-    xp = namespace(logs)
-    return at_least(xp.exp(logs) * typical(air, sun) - DARK, 0.0)
+    return at_least(namespace(logs).exp(logs) * course(air, sun).typical - DARK, 0.0)
