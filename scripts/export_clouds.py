@@ -17,8 +17,8 @@ from skydome.air.named_airs import BACKGROUND_DEPTH, KINDS, background
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
-from skydome.skies.clouds.fields import field, lit_field, march_kernel, scattering, shadows
-from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS
+from skydome.skies.clouds.fields import field, lit_field, low_sun, march_kernel, scattering, shadows
+from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS, AirBefore
 from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
@@ -53,14 +53,10 @@ def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray
     And of suns at `STANDING`, as seen from its middle, the share that the ground leaves, and columns of these and of
     the stratosphere's haze, (SUNS, 5).
     """
-    tables, radius = ColumnTables.of(air), air.radius
-    heights = np.linspace(kind.base, kind.base + kind.thickness, LEVELS)
-    sines, at = np.meshgrid(SINES, heights, indexing="ij")
-    there = np.sqrt(1 - (1 - sines**2) * (radius / (radius + at)) ** 2)
-    between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, there)
-    middle = np.full(STANDING.shape, heights[LEVELS // 2])
+    before = AirBefore(air, np.empty(0), kind.base, kind.base + kind.thickness)
+    tables, middle = ColumnTables.of(air), np.full(STANDING.shape, before.heights[LEVELS // 2])
     seen, share = tables.seen(middle, np.radians(STANDING))
-    return np.maximum(between[..., :3], 0.0), np.column_stack([share, tables.toward(middle, np.sin(seen))])
+    return before.columns[..., :3], np.column_stack([share, tables.toward(middle, np.sin(seen))])
 
 
 def table() -> dict[str, Any]:
@@ -73,7 +69,7 @@ def table() -> dict[str, Any]:
         "kinds": {kind.name: numbers_of(kind) for kind in kinds},
         "met": field.MET,
         "closed": field.CLOSED,
-        "lowest": lit_field.LOWEST,
+        "lowest": low_sun.LOWEST,
         "farthest": lit_field.FARTHEST,
         **DIFFUSION,
         "widths": lit_field.WIDTHS.tolist(),
@@ -87,7 +83,6 @@ def table() -> dict[str, Any]:
         "smooth": scattering.SMOOTH,
         "moments": scattering.MOMENTS,
         "points": shadows.POINTS,
-        "leastSine": shadows.LEAST_SINE,
         "discRadius": MEAN_RADIUS,
         "views": VIEWS,
         "wavelengths": NODES.tolist(),

@@ -8,7 +8,7 @@ import pytest
 
 import skydome as sd
 from skydome.cli.commands.plot import marked
-from skydome.cli.night.film import film_frames
+from skydome.cli.night.film import film_of
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
 from skydome.figures.skies import sky_figure
@@ -56,7 +56,7 @@ def test_an_hour_that_comes_twice_is_told(call):
 def test_frames_follow_the_clock_through_a_change(call, tmp_path):
     """Rome's clocks went from 2 to 3 on 29 March 2026 and from 3 to 2 on 25 October: days of 23 and 25 hours."""
     for day, hours, change in (("2026-03-29", 23, 2), ("2026-10-25", 25, 3)):
-        frames = film_frames("45,8", day, "Europe/Rome", "1h", tmp_path, 16, None)
+        frames = film_of(None, "45,8", day, "Europe/Rome", "1h", tmp_path, 16, None)
         offsets = [time.utcoffset().total_seconds() / 3600 for time in frames.times]
         before = 1.0 if hours == 23 else 2.0
         assert offsets == [before] * change + [3.0 - before] * (hours - change)

@@ -108,6 +108,12 @@ def test_its_clouds_are_the_commands_in_the_same_places(opened, tmp_path, monkey
     np.testing.assert_allclose(exr.read(tmp_path / "sky.exr")[0][:16], wanted, rtol=1e-3)
 
 
+def test_its_lowest_sun_stands_behind_a_whole_cover(opened):
+    page = opened(f"{TURIN}&model=physical&sun=180,0.1&clouds=stratocumulus&clouded=1&seed=7")
+    page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 0")
+    assert page.ask("explorer.numbers")[0]["direct"][1] < 1e-6
+
+
 @pytest.mark.parametrize("model", ["hosek-wilkie", "preetham", "cie-4", "asrc-cie", "neural-hosek-wilkie-spectral"])
 def test_its_shader_compiles(opened, model):
     page = opened(f"?model={model}&sun=200,40")

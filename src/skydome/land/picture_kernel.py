@@ -19,13 +19,12 @@ from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.haze.kernel import along, read_light
 from skydome.land.rays_kernel import lerped, march, normal_at
+from skydome.skies.clouds.fields.low_sun import LOWEST
 
 FARTHEST = 1e9
 """How far flat ground beyond the map is followed, m."""
 NOTHING, CLEAR, FOG = 0, 1, 2
 """What the air does: nothing, aerial perspective, or a fog that looks the same from everywhere."""
-LEAST_SINE = 0.005
-"""Of the sun's elevation, below which clouds cast no shadow."""
 LIFT = 0.02
 """How far above the ground, in cells, a ray to the sun starts."""
 real = np.float32
@@ -100,7 +99,7 @@ def cloud_share(sunlight, x, y, z):
     sun, shade = sunlight[0], sunlight[4]
     if shade.share.size == 1:
         return shade.share[0, 0]
-    down = (z - shade.foot) / max(sun[2], LEAST_SINE)
+    down = (z - shade.foot) / max(sun[2], LOWEST)
     u, v = (x - down * sun[0]) / shade.spacing, (y - down * sun[1]) / shade.spacing
     fu, fv = math.floor(u), math.floor(v)
     a, b = u - fu, v - fv

@@ -1,8 +1,9 @@
 /** Rays through a lit field: what is seen through it, and what it sends of sun, sky and ground. A second form of `march_kernel`. */
 
 import table from "../../data/clouds.json";
+import type { Vec3 } from "../../core/vector";
 import { between } from "./field";
-import type { Lit } from "./lit";
+import { heldUp, type Lit } from "./lit";
 
 const { earth: EARTH, gone: GONE, dense: DENSE, farthest: FARTHEST, first: FIRST, step: STEP } = table;
 /** Scaled depths by which light scattered once is told apart. */
@@ -129,9 +130,10 @@ export class Rays {
 }
 
 /** Share of the sun's light that a field lets straight through to the eye, over points of its disc. */
-export function sunShare(lit: Lit, sun: readonly number[]): number {
+export function sunShare(lit: Lit, seen: Vec3): number {
   const { field } = lit.cells, { base, thickness, detail } = field.numbers;
-  if (sun[2] < table.leastSine || field.cover <= 0) return Number(sun[2] > 0);
+  if (seen[2] <= 0 || field.cover <= 0) return Number(seen[2] > 0);
+  const sun = heldUp(seen);
   const flat = Math.max(Math.hypot(sun[0], sun[1]), 1e-12);
   const across = [sun[1] / flat, -sun[0] / flat, 0];
   const upward = [(-sun[0] * sun[2]) / flat, (-sun[1] * sun[2]) / flat, flat];

@@ -19,31 +19,6 @@ PLAIN = SkyOptions()
 """The physical sky without a cloud."""
 
 
-def film_frames(
-    place: str,
-    date: str,
-    zone: str | None,
-    step: str,
-    folder: Path,
-    height: int,
-    exposure: float | None,
-    sky: SkyOptions = PLAIN,
-) -> Frames:
-    """The frames of a day's film of a `sky` in a folder: OpenEXR of one scale, or PNG where an exposure is given."""
-    from skydome.cli.moment import aware_time
-
-    day = day_named(date)
-    first = aware_time(f"{day}T00:00", zone or "UTC")
-    last = aware_time(f"{day + timedelta(days=1)}T00:00", zone or "UTC") - timedelta(microseconds=1)
-    if duration(step) > timedelta(days=1):
-        raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
-    options = replace(sky, place=place, time=first.isoformat(), until=last.isoformat(), zone=zone or "UTC")
-    kind = "exr" if exposure is None else "png"
-    file = FileOptions(exposure=exposure)
-    order = MapOrder(options, file, folder / FRAMES[kind], height)
-    return Frames.of(order.checked(), step)
-
-
 def film_of(
     captures: Path | None,
     place: str | None,
@@ -55,12 +30,24 @@ def film_of(
     exposure: float | None,
     sky: SkyOptions = PLAIN,
 ) -> Frames:
-    """The frames of the options; ValueError in one line for what does not fit together."""
+    """The frames of a day's film of a `sky` in a folder: OpenEXR of one scale, or PNG where an exposure is given.
+
+    ValueError in one line for what does not fit together.
+    """
+    from skydome.cli.moment import aware_time
+
     if captures is not None or place is None:
         raise ValueError("--date makes a film without captures: give --place and --date, and no folder of captures")
     require_all_hours(sky)
+    if duration(step) > timedelta(days=1):
+        raise ValueError(f"--step must be a day at most in the film of --date, got {step!r}")
+    day, zone = day_named(date), zone or "UTC"
+    first = aware_time(f"{day}T00:00", zone)
+    last = aware_time(f"{day + timedelta(days=1)}T00:00", zone) - timedelta(microseconds=1)
+    options = replace(sky, place=place, time=first.isoformat(), until=last.isoformat(), zone=zone)
+    file, name = FileOptions(exposure=exposure), FRAMES["exr" if exposure is None else "png"]
     with folder_for_work(folder):
-        return film_frames(place, date, zone, step, folder, height, exposure, sky)
+        return Frames.of(MapOrder(options, file, folder / name, height).checked(), step)
 
 
 def require_all_hours(sky: SkyOptions) -> None:

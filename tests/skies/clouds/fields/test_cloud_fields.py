@@ -13,7 +13,7 @@ from skydome.ground.limits.ranges import Range
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.clouds.fields import noise
 from skydome.skies.clouds.fields.field import CloudField
-from skydome.skies.clouds.fields.incident import spectrum_of
+from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.kinds import Slab
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.reference import laws_of, photon_shares, traced_through
@@ -175,7 +175,7 @@ def test_absorption_dims_the_near_infrared():
     lit = LitField.of(HEAPS, SUN)
     share = photon_shares(lit, 8000, 0.98)[1] / photon_shares(lit, 8000)[1]
     assert lit.dimming(np.array([0.0, 0.02]))[0] == pytest.approx([1.0, share], abs=0.08)
-    light = spectrum_of(sd.PhysicalSky(SUN), lit, [1000.0, 1650.0])
+    light = Incident.of_spectrum(sd.PhysicalSky(SUN), lit, [1000.0, 1650.0])
     assert light.lost == pytest.approx(1 - Water().optics(1e-5, [1000.0, 1650.0]).albedo)
     assert light.dimming[0, 1] < 0.98 * light.dimming[0, 0]
 

@@ -8,7 +8,7 @@ extinction is grey; its law and what it absorbs are the particles' by wavelength
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from skydome.skies.all_air.bent_sun import BentSun
 from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.air.above import Skylight, skylight
-from skydome.skies.clouds.fields.air.before import LEAST, VIEWS, AirBefore
+from skydome.skies.clouds.fields.air.before import LEAST, VIEWS, AirBefore, sine_at
 from skydome.skies.clouds.fields.air.exchange import EVEN, GROUND, Exchange, Shares
 from skydome.skies.clouds.fields.air.lower import LowerAir
 from skydome.skies.clouds.fields.lit_field import LitField
@@ -61,6 +61,16 @@ class Incident:
     clear: PhysicalSky
     lit: LitField
     channels: Channels
+
+    @classmethod
+    def of_colours(cls, clear: Any, lit: LitField) -> Self:
+        """In CIE XYZ."""
+        return cls(clear, lit, Channels.of_colours())
+
+    @classmethod
+    def of_spectrum(cls, clear: Any, lit: LitField, wavelengths: Any) -> Self:
+        """At wavelengths (W,), nm."""
+        return cls(clear, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))
 
     @property
     def air(self) -> Atmosphere:
@@ -145,7 +155,7 @@ class Incident:
     def direct(self) -> float:
         """Share of the sun's light that comes straight to the air below the field, over the round earth."""
         radius, sine = self.air.radius, float(self.lit.sun[2])
-        return self.lit.straight(np.sqrt(1 - (1 - sine**2) * (radius / (radius + self.lit.field.base)) ** 2))
+        return self.lit.straight(float(sine_at(sine, self.lit.field.base, radius)))
 
     @cached_property
     def exchange(self) -> Exchange:
@@ -238,13 +248,3 @@ class Incident:
         """
         before, diffuse = tables[:, 0], tables[:, 5]
         return clear * through * (1 - before), np.maximum(clear * before * self.direct + diffuse, 0.0)
-
-
-def colours_of(clear: PhysicalSky, lit: LitField) -> Incident:
-    """In CIE XYZ."""
-    return Incident(clear, lit, Channels.of_colours())
-
-
-def spectrum_of(clear: PhysicalSky, lit: LitField, wavelengths: Any) -> Incident:
-    """At wavelengths (W,), nm."""
-    return Incident(clear, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))

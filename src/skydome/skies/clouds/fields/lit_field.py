@@ -16,11 +16,10 @@ import numpy as np
 from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.low_sun import lifted
 from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
 from skydome.skies.clouds.fields.transport.ordinates import Ordinates, wider
 
-LOWEST = 0.01
-"""Sine of the elevation of the lowest sun whose shadows are let down."""
 FARTHEST = 400_000.0
 """How far cloud is sought, m."""
 FINE, MOST_LEVELS = 4.0, 96
@@ -45,12 +44,9 @@ class LitField:
 
     @classmethod
     def of(cls, field: CloudField, sun: Any, coarseness: int = 2) -> Self:
-        """ImportError without Numba; a lower sun than `LOWEST` lets down shadows as one there."""
+        """ImportError without Numba; a sun lower than `low_sun.LOWEST` is as one there."""
         required("numba", "fast", "a field of cloud")
-        sun = np.asarray(sun, np.float64)
-        high = max(float(sun[2]), LOWEST)
-        flat = np.sqrt(1 - high * high) / max(np.hypot(sun[0], sun[1]), 1e-12)
-        return cls(field, np.array([sun[0] * flat, sun[1] * flat, high]), coarseness)
+        return cls(field, lifted(sun), coarseness)
 
     @cached_property
     def asymmetry(self) -> float:

@@ -7,16 +7,15 @@ import numpy as np
 
 from skydome.ground.arguments import require_kind
 from skydome.ground.compiled import shared
-from skydome.ground.directions import checked_directions, tangent_frame, unit
+from skydome.ground.directions import checked_directions, tangent_frame
 from skydome.ground.extras import required
 from skydome.ground.limits.ranges import Range, require, require_one
 from skydome.skies.clouds.fields.field import CloudField
+from skydome.skies.clouds.fields.low_sun import lifted
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 POINTS = 12
 """Points of the sun's disc, which blur the shadows' edges."""
-LEAST_SINE = 0.01
-"""Sine of the elevation below which a sun that is up stands before the clouds as one there."""
 PLACES_PER_PIECE = 1 << 9
 METRES = Range(-1e7, 1e7, "m")
 
@@ -38,7 +37,7 @@ def sun_share(field: CloudField, sun: Any, places: Any, points: int = POINTS) ->
     flat = np.asarray(places, np.float64).reshape(-1, 3)
     if sun[2] <= 0 or field.cover <= 0:
         return np.full(np.shape(places)[:-1], float(sun[2] > 0))
-    sun = unit(np.append(sun[:2], max(sun[2], LEAST_SINE)))
+    sun = lifted(sun)
     k = np.arange(points)
     spread, turn = np.sqrt((k + 0.5) / points) * np.tan(MEAN_RADIUS), k * np.pi * (3 - np.sqrt(5.0))
     across, upward = tangent_frame(sun)

@@ -13,7 +13,7 @@ from skydome.ground.directions import checked_directions
 from skydome.light.spectrum import checked_wavelengths
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
-from skydome.skies.clouds.fields.incident import Incident, colours_of, spectrum_of
+from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.colour_sky import SpectralSky
@@ -114,7 +114,7 @@ class CloudySky(WrappedSky, SpectralSky):
     @cached_property
     def colours(self) -> Incident:
         """The light on the field in CIE XYZ."""
-        return colours_of(self.clear, self.lit)
+        return Incident.of_colours(self.clear, self.lit)
 
     def xyz(self, directions: Array) -> Array:
         """CIE XYZ toward each direction (..., 3), Y in cd m-2, shape (..., 3); 0 below the horizon."""
@@ -124,7 +124,7 @@ class CloudySky(WrappedSky, SpectralSky):
     def radiance(self, directions: Array, wavelengths: Any) -> Array:
         """Spectral radiance toward each direction (..., 3), W m-2 sr-1 nm-1, shape (..., W); 0 below the horizon."""
         w = checked_wavelengths(wavelengths)
-        light = spectrum_of(self.clear, self.lit, w)
+        light = Incident.of_spectrum(self.clear, self.lit, w)
         return self.in_chunks(directions, light, lambda views: np.asarray(self.clear.radiance(views, w)), len(w))
 
     def on_its_nodes(self, nodes: Array, wavelengths: Any) -> Array:
@@ -132,7 +132,7 @@ class CloudySky(WrappedSky, SpectralSky):
         if self.field.cover <= 0 or not self.is_day:
             return self.radiance(nodes, wavelengths)
         half = np.asarray(self.clear.radiance(nodes[: len(nodes) // 2], wavelengths))
-        lit = spectrum_of(self.clear, self.lit, wavelengths)
+        lit = Incident.of_spectrum(self.clear, self.lit, wavelengths)
         return lit.behind(np.concatenate([half, half]), np.asarray(nodes, np.float64))
 
     def in_chunks(self, directions: Array, incident: Incident, clear: Any, width: int) -> Array:

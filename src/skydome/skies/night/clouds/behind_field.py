@@ -13,7 +13,8 @@ from skydome.light.spectrum import Spectrum, checked_wavelengths
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.shadows import LEAST_SINE, sun_share
+from skydome.skies.clouds.fields.low_sun import lifted
+from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.clouds.fields.sky import CloudySky, dimmed, pieces
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.night.celestial import GlowAbove
@@ -124,9 +125,7 @@ def _(sky: PointLights, lit: LitField) -> PointLights:
 
 @behind.register
 def _(sky: SunDisc, lit: LitField) -> SunDisc:
-    toward = np.asarray(sky.sun, np.float64)
-    toward = np.append(toward[:2], max(toward[2], LEAST_SINE))
-    share = sun_share(lit.field, toward / np.linalg.norm(toward), np.zeros((1, 3)))
+    share = sun_share(lit.field, lifted(sky.sun), np.zeros((1, 3)))  # its edge is up where its middle has set
     return dimmed(sky, float(share[0]))
 
 

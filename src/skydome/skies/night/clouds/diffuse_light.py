@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -10,8 +9,7 @@ from skydome.air.atmosphere import Atmosphere
 from skydome.ground.directions import direction
 from skydome.skies.clouds.fields.air.above import Skylight, skylight
 from skydome.skies.clouds.fields.air.before import LEAST, VIEWS
-from skydome.skies.clouds.fields.incident import AROUND, Channels, Incident
-from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.incident import AROUND, Incident
 from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.night.celestial import GlowAbove
 from skydome.skies.validity import Check
@@ -40,16 +38,6 @@ class DiffuseLight(Incident):
     """
 
     clear: GlowAbove  # type: ignore[assignment]
-
-    @classmethod
-    def of_colours(cls, glow: GlowAbove, lit: LitField) -> "DiffuseLight":
-        """In CIE XYZ."""
-        return cls(glow, lit, Channels.of_colours())
-
-    @classmethod
-    def of_spectrum(cls, glow: GlowAbove, lit: LitField, wavelengths: Any) -> "DiffuseLight":
-        """At wavelengths (W,), nm."""
-        return cls(glow, lit, Channels.of_spectrum(np.asarray(wavelengths, np.float64)))
 
     @cached_property
     def sun(self) -> np.ndarray:

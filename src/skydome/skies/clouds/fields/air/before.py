@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -33,13 +34,17 @@ class AirBefore:
         return np.linspace(0.0, 1.0, VIEWS) ** 2
 
     @cached_property
+    def columns(self) -> np.ndarray:
+        """Vertical columns of the constituents between the eye and the heights, (VIEWS, LEVELS, K)."""
+        tables = ColumnTables.of(self.air)
+        sines, at = np.meshgrid(self.sines, self.heights, indexing="ij")
+        between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, sine_at(sines, at, self.air.radius))
+        return np.asarray(np.maximum(between, 0.0))
+
+    @cached_property
     def through(self) -> np.ndarray:
         """Transmittance between the eye and the heights, (VIEWS, LEVELS, W)."""
-        tables, radius = ColumnTables.of(self.air), self.air.radius
-        sines, at = np.meshgrid(self.sines, self.heights, indexing="ij")
-        there = np.sqrt(1 - (1 - sines**2) * (radius / (radius + at)) ** 2)
-        between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, there)
-        return np.asarray(np.exp(-np.maximum(between, 0.0) @ self.depths))
+        return np.asarray(np.exp(-self.columns @ self.depths))
 
     @cached_property
     def share(self) -> np.ndarray:
@@ -58,3 +63,8 @@ class AirBefore:
         lower = table[j, k] * (1 - u) + table[j, k + 1] * u
         upper = table[j + 1, k] * (1 - u) + table[j + 1, k + 1] * u
         return np.asarray(lower * (1 - v) + upper * v)
+
+
+def sine_at(sine: Any, height: Any, radius: float) -> np.ndarray:
+    """Sine of the elevation (...,) at a height, m, of a ray that left the round ground at a `sine` (...,)."""
+    return np.asarray(np.sqrt(1 - (1 - np.square(sine)) * (radius / (radius + height)) ** 2))
