@@ -34,7 +34,8 @@ class MeasuredClouds:
     of the air's aerosol at 550 nm. `darkness`: 0 of the usual air, 1 of an aerosol that absorbs, 2 of soot over ground
     half as bright.
 
-    >>> found = clouds_for(900.0, 110.0, sd.direction(azimuth=200 * sd.deg, elevation=50 * sd.deg))
+    >>> import skydome as sd
+    >>> found = sd.clouds_for(900.0, 110.0, sd.direction(azimuth=200 * sd.deg, elevation=50 * sd.deg))
     >>> 0.9 < found.diffuse_factor < 1.1
     True
     """
