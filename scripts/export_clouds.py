@@ -1,23 +1,32 @@
 """Fields of cloud for the explorer's page, data/clouds.json: `python scripts/export_clouds.py`.
 
-The kinds' numbers, the constants of the fast form, and columns of air between the eye, the clouds and the sun. The page
-makes the clouds themselves from the same hash; their shapes are written out once more there.
+The kinds' numbers, the constants of the fast form, columns of air between the eye, the clouds and the sun, and the
+light of the sky above each kind. The page makes the clouds themselves from the same hash; their shapes are written out
+once more there.
 """
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from explorer_digits import digits
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.cross_sections import rayleigh_depth
 from skydome.air.named_airs import BACKGROUND_DEPTH, KINDS, background
+from skydome.air.phase_laws import Rayleigh
+from skydome.ground.directions import direction
 from skydome.ground.units import EARTH_RADIUS
 from skydome.skies.all_air.column_tables import ColumnTables
+from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.all_air.spectral_nodes import NODES, bands_from_nodes
+from skydome.skies.catalogue import model_named
 from skydome.skies.clouds.fields import field, lit_field, low_sun, march_kernel, scattering, shadows
+from skydome.skies.clouds.fields.air import exchange, lower
+from skydome.skies.clouds.fields.air.above import skylight
 from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS, AirBefore
 from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
 from skydome.skies.physical.sky_colours import SkyColours
@@ -29,6 +38,12 @@ DIFFUSION = {"open": [600.0, 4.0], "sweeps": 16, "over": 1.7, "fewest": 8}
 """The page's own way: how empty air scatters in it (docs/decisions.md), sweeps, how far beyond, cells at the fewest."""
 STANDING = -4.0 + 94.0 * np.linspace(0.0, 1.0, 64) ** 2
 """True elevations of suns, degrees."""
+KINDS_OF_CLOUD = (Cumulus(), Stratocumulus(), Altocumulus(), Cirrus())
+SUNS = np.array([-6, -5, -4, -3, -2, -1.2, -0.6, 0, 0.6, 1.2, 2, 3, 4.5, 6, 8, 11, 15, 20, 27, 36, 48, 64, 90.0])
+TURBIDITIES = np.array([1.1, 2.2, 4.7, 10.0])
+"""True elevations of suns, degrees, and hazes under which the sky above a kind is told."""
+STEP = 2e-3
+"""Of the logarithm of its light."""
 FIGURES = 5
 
 
@@ -59,10 +74,42 @@ def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray
     return before.columns[..., :3], np.column_stack([share, tables.toward(middle, np.sin(seen))])
 
 
+def above(kind: CloudKind, sun: float, turbidity: float, mirrored: float = 0.0) -> np.ndarray:
+    """The sky on the top of a kind's field that sends a share `mirrored` back: irradiance over the sun's above the air,
+    and the share of it that thick cloud has of even light, (2, NODES).
+    """
+    made = model_named("physical").make(direction(0.0, np.radians(sun)), {"turbidity": turbidity})
+    clear = PhysicalSky(made.toward, replace(made.atmosphere, gases=None), check="clamp")
+    none = np.zeros(NODES.shape)
+    sky = skylight(clear, kind.base + kind.thickness, NODES, none, none + mirrored)
+    return np.stack([sky.whole / clear.atmosphere.sun_at(NODES), sky.thick / sky.whole])
+
+
+def skies_above(kind: CloudKind, suns: np.ndarray = SUNS) -> tuple[np.ndarray, np.ndarray]:
+    """The same for hazes and suns over a field that sends nothing back, the light as its logarithm, (2, TURBIDITIES,
+    SUNS, NODES); and the share that the air sends back of light from below, (TURBIDITIES, NODES).
+    """
+    light, thick = np.moveaxis([[above(kind, sun, haze) for sun in suns] for haze in TURBIDITIES], 2, 0)
+    shone = np.array([[above(kind, SUNS[-1], haze, back)[0] for back in (0.0, 1.0)] for haze in TURBIDITIES])
+    return np.stack([np.log(light), thick]), 1 - shone[:, 0] / shone[:, 1]
+
+
+def told_above(kind: CloudKind) -> dict[str, Any]:
+    """The skies above a kind as the page has them."""
+    light, back = skies_above(kind)
+    return {"light": digits(light, STEP, 2), "back": plain(back, 4)}
+
+
+def lower_columns(air: Atmosphere, kind: CloudKind) -> np.ndarray:
+    """Vertical columns of molecules, haze and ozone below a kind's base, (3,)."""
+    tables, up = ColumnTables.of(air), np.array(1.0)
+    return (tables.toward(np.array(0.0), up) - tables.toward(np.array(kind.base), up))[:3]
+
+
 def table() -> dict[str, Any]:
-    """Everything."""
+    """Everything but the skies above the kinds."""
     air = Atmosphere.standard(0.1)
-    kinds = (Cumulus(), Stratocumulus(), Altocumulus(), Cirrus())
+    kinds = KINDS_OF_CLOUD
     columns = {kind.name: columns_of(air, kind) for kind in kinds}
     ozone = air.constituents[2]
     return {
@@ -96,9 +143,18 @@ def table() -> dict[str, Any]:
         "sunward": {name: plain(each[1]) for name, each in columns.items()},
         "standing": [STANDING[0], STANDING[-1]],
         "ground": plain(ColumnTables.of(air).toward(np.zeros(SINES.shape), SINES)),
+        "lower": {kind.name: plain(lower_columns(air, kind)) for kind in kinds},
+        "streams": [plain(lower.SINES, 8), plain(lower.WEIGHTS, 8)],
+        "grazing": float(lower.GRAZING),
+        "slant": [exchange.DIFFUSE, exchange.OPEN],
+        "molecular": plain(Rayleigh(air.constituents[0].depolarisation).moments(3, [550.0])[2], 6)[0],
+        "haze": {name: [part.albedo, part.phase_law.asymmetries[0]] for name, part in KINDS.items()},
+        "suns": SUNS.tolist(),
+        "turbidities": TURBIDITIES.tolist(),
     }
 
 
 if __name__ == "__main__":
-    PATH.write_text(json.dumps(table(), separators=(",", ":")) + "\n", "utf-8")
+    whole = table() | {"above": {kind.name: told_above(kind) for kind in KINDS_OF_CLOUD}}
+    PATH.write_text(json.dumps(whole, separators=(",", ":")) + "\n", "utf-8")
     sys.exit(0)

@@ -108,6 +108,17 @@ def test_its_clouds_are_the_commands_in_the_same_places(opened, tmp_path, monkey
     np.testing.assert_allclose(exr.read(tmp_path / "sky.exr")[0][:16], wanted, rtol=1e-3)
 
 
+def test_its_clouds_have_the_commands_light_under_a_low_sun(opened, tmp_path):
+    """Of the air below them too, where the sun comes through nowhere: by diffuse light alone."""
+    page = opened("?v=1&sun=200,1.5&model=physical&clouds=cumulus&clouded=0.5&seed=11")
+    page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 1")
+    wanted, found = (each.pixels[:16, :, 1] for each in from_command(page, tmp_path, 32))
+    rings = np.sin((np.arange(16) + 0.5) / 32 * np.pi)[:, None]
+    told = [np.sum((found * rings)[rows]) / np.sum((wanted * rings)[rows]) for rows in (slice(8), slice(8, 16))]
+    print(f"page over command: above 45 degrees {told[0]:.3f}, below {told[1]:.3f}")
+    assert np.abs(np.array(told) - 1).max() < 0.2
+
+
 def test_its_lowest_sun_stands_behind_a_whole_cover(opened):
     page = opened(f"{TURIN}&model=physical&sun=180,0.1&clouds=stratocumulus&clouded=1&seed=7")
     page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 0")

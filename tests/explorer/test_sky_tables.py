@@ -89,7 +89,15 @@ def test_the_clouds_numbers_are_the_packages(script):
         else:
             np.testing.assert_allclose(found, wanted, rtol=2e-4, atol=1e-6)
 
-    compare(stored("clouds"), script("export_clouds").table())
+    export, digits, found = script("export_clouds"), script("explorer_digits"), stored("clouds")
+    above = found.pop("above")
+    compare(found, export.table())
+    kind, suns = export.KINDS_OF_CLOUD[0], [4, 16]
+    assert list(above) == list(found["kinds"])
+    light, back = export.skies_above(kind, export.SUNS[suns])
+    told = digits.numbers_of(above[kind.name]["light"])[:, :, suns]
+    assert np.abs(told - light).max() < export.STEP
+    np.testing.assert_allclose(above[kind.name]["back"], back, atol=1e-4)
 
 
 def test_the_night_is_the_packages(script):

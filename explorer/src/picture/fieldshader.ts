@@ -83,7 +83,7 @@ vec3 of_glow(vec3 d) {
 vec3 behind_clouds(vec3 light, vec3 d) {
     float high = 0.5 * PI - skydome_angle(0.5 * (1.0 - clamp(d.z, 0.0, 1.0)));
     vec2 place = vec2(bearing(d.x, d.y) / (2.0 * PI), pow(max(high, 0.0) / (0.5 * PI), ${(1 / CROWDED).toFixed(9)}));
-    return light * texture(clouds_left, place).rgb + texture(clouds_added, place).rgb;
+    return max(light * texture(clouds_left, place).rgb + texture(clouds_added, place).rgb, 0.0);
 }
 vec3 sky_xyz(vec3 d) {
     vec3 light = clear ? of_lamp(grid, seen, d) : vec3(0.0);

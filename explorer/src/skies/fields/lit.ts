@@ -2,6 +2,7 @@
 
 import table from "../../data/clouds.json";
 import type { Vec3 } from "../../core/vector";
+import { openShare, type Shares } from "./air/exchange";
 import { moved, spread, type Grid } from "./diffusion";
 import { between, type Field } from "./field";
 
@@ -13,16 +14,6 @@ export function heldUp(sun: Vec3): Vec3 {
   const high = Math.max(sun[2], LOWEST);
   const flat = Math.sqrt(1 - high * high) / Math.max(Math.hypot(sun[0], sun[1]), 1e-12);
   return [sun[0] * flat, sun[1] * flat, high];
-}
-
-/** What comes down below a field. */
-export interface Budget {
-  /** Of the sun straight, as a share. */
-  direct: number;
-  /** Of sunlight and skylight of irradiance 1 scattered, on the horizontal; the share of light from below sent back. */
-  sun: number;
-  sky: number;
-  back: number;
 }
 
 /** A field on a coarse grid, with what does not depend on the sun. */
@@ -99,11 +90,11 @@ export class Cells {
     return found;
   }
 
-  /** What of the sun comes straight through each column. */
-  straight(sun: Vec3, depths: Float32Array): number {
+  /** Share of the sun's light that comes straight through, on a way through the field at a sine. */
+  straight(sun: Vec3, depths: Float32Array, sine = sun[2]): number {
     const { side, levels, dz } = this.grid;
     let total = 0;
-    for (let at = 0; at < depths.length; at += levels) total += Math.exp(-depths[at] - ((0.5 * dz) / sun[2]) * this.kept * this.coarse[at]);
+    for (let at = 0; at < depths.length; at += levels) total += Math.exp(-(depths[at] + ((0.5 * dz) / sun[2]) * this.kept * this.coarse[at]) * (sun[2] / sine));
     return total / (side * side);
   }
 
@@ -135,13 +126,13 @@ export class Cells {
     return found;
   }
 
-  /** What comes down below the field. */
-  budget(sun: Vec3, depths: Float32Array, ofSun: Float32Array): Budget {
-    const ofGround = this.ofSky.map((value) => 4 - value);
-    return {
-      direct: this.straight(sun, depths), sun: this.leaving(ofSun, this.openToSun, 0),
-      sky: this.leaving(this.ofSky, this.openToSky, 0), back: 1 + this.leaving(ofGround, this.openToSky, 1),
-    };
+  /** What a field makes of sunlight of irradiance 1, on the horizontal below it, and of diffuse light. */
+  budget(ofSun: Float32Array): [number, Shares] {
+    const { side, levels, dz } = this.grid, ofGround = this.ofSky.map((value) => 4 - value);
+    const columns = new Float32Array(side * side);
+    this.coarse.forEach((value, n) => (columns[Math.floor(n / levels)] += value * dz * this.kept));
+    const shares = { open: openShare(columns), through: this.leaving(this.ofSky, this.openToSky, 0), back: 1 + this.leaving(ofGround, this.openToSky, 1) };
+    return [this.leaving(ofSun, this.openToSun, 0), shares];
   }
 
   /** Mean net flux out of the field's bottom, where a flux comes in. */
@@ -158,18 +149,25 @@ export class Cells {
 
 /** Cells under a sun, ready for rays. */
 export class Lit {
-  readonly budget: Budget;
+  /** What of sunlight of irradiance 1 is scattered down, on the horizontal. */
+  readonly ofSun: number;
+  readonly shares: Shares;
   /** For each cell the scaled depth toward the sun, and the fluences of sun and sky; the ground's is 4 less the sky's. */
   readonly light: Float32Array;
 
-  constructor(readonly cells: Cells, readonly sun: Vec3, depths: Float32Array, ofSun: Float32Array) {
-    this.budget = cells.budget(sun, depths, ofSun);
+  constructor(readonly cells: Cells, readonly sun: Vec3, private readonly depths: Float32Array, ofSun: Float32Array) {
+    [this.ofSun, this.shares] = cells.budget(ofSun);
     this.light = new Float32Array(3 * depths.length);
     for (let n = 0; n < depths.length; n++) {
       this.light[3 * n] = depths[n];
       this.light[3 * n + 1] = ofSun[n];
       this.light[3 * n + 2] = cells.ofSky[n];
     }
+  }
+
+  /** Share of the sun's light that comes straight through, on a way through the field at a sine. */
+  straight(sine: number): number {
+    return this.cells.straight(this.sun, this.depths, sine);
   }
 }
 

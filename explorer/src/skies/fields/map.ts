@@ -30,6 +30,6 @@ export function behind({ width, height, left, added }: CloudMap, light: Vec3, to
     const at = (row: number, column: number): number => numbers[3 * (row * width + column) + c];
     return (at(j, i) * (1 - u) + at(j, i1) * u) * (1 - v) + (at(j + 1, i) * (1 - u) + at(j + 1, i1) * u) * v;
   };
-  const of = (c: 0 | 1 | 2): number => light[c] * mixed(left, c) + mixed(added, c);
+  const of = (c: 0 | 1 | 2): number => Math.max(light[c] * mixed(left, c) + mixed(added, c), 0);
   return [of(0), of(1), of(2)];
 }

@@ -2,6 +2,7 @@
 
 import table from "../../data/clouds.json";
 import { limited, type Vec3 } from "../../core/vector";
+import { upperSky, type UpperSky } from "./air/above";
 import type { FieldKind } from "./kinds";
 
 const { colours: COLOURS, wavelengths: WAVELENGTHS, views: VIEWS } = table;
@@ -33,6 +34,10 @@ export interface ClearLight {
   mean: number[][];
   /** Vertical optical depths of molecules, haze near the ground, ozone and haze of the stratosphere. */
   depths: number[][];
+  /** Share that the haze near the ground scatters, and its lobe's g. */
+  haze: [number, number];
+  /** The sky above the field. */
+  upper: UpperSky;
   albedo: number;
 }
 
@@ -83,7 +88,7 @@ function depthsOf({ turbidity, aerosol, ozone }: ClearColours): number[][] {
 
 /** The light of a clear sky at a kind's field. */
 export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
-  const { sun, lux, strength } = clear, depths = depthsOf(clear);
+  const { sun, lux, strength, turbidity, aerosol } = clear, depths = depthsOf(clear);
   const beam = (columns: number[][], place: number): number[] => {
     const [share, ...along] = rowAt(columns, place);
     return WAVELENGTHS.map((_, w) => strength * share * Math.exp(-depthOf(along, depths, w)));
@@ -94,5 +99,7 @@ export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
   const gases = lux > 0 ? lux / colourOf((w) => below[w])[1] : 1;
   const scaled = (light: number[]): number[] => light.map((value) => value * gases);
   const mean = Array.from({ length: VIEWS }, (_, j) => spectrumOf(rowAt(clear.mean, j / (VIEWS - 1)) as unknown as Vec3));
-  return { sun: scaled(there), below: scaled(below), sky: spectrumOf(clear.sky), mean, depths, albedo: clear.albedo };
+  const haze = ((table.haze as Record<string, number[]>)[aerosol] ?? table.haze.usual) as [number, number];
+  const upper = upperSky(kind, clear.elevation, turbidity, strength);
+  return { sun: scaled(there), below: scaled(below), sky: spectrumOf(clear.sky), mean, depths, haze, upper, albedo: clear.albedo };
 }

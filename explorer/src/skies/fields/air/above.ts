@@ -1,0 +1,36 @@
+/** The light of the sky above a field on it, by wavelength, from the package's tables. A second form of `skylight`. */
+
+import table from "../../../data/clouds.json";
+import { crossed, heldRows } from "../../../core/cubic";
+import { numbersOf } from "../../../core/digits";
+import type { FieldKind } from "../kinds";
+
+const { suns: SUNS, turbidities: TURBIDITIES, wavelengths: WAVELENGTHS } = table;
+const LOGS = TURBIDITIES.map(Math.log);
+
+/** Over a field that sends nothing back, over the sun's irradiance above the air 1 AU away, by wavelength. */
+export interface UpperSky {
+  light: number[];
+  /** Share of it that thick cloud has of even light, and the share that the air sends back of light from below. */
+  thick: number[];
+  back: number[];
+}
+
+/** The sky above a kind's field under a sun at a true elevation, degrees, and of a strength. */
+export function upperSky(kind: FieldKind, elevation: number, turbidity: number, strength: number): UpperSky {
+  const { light, back } = table.above[kind];
+  const numbers = numbersOf(light), count = WAVELENGTHS.length, half = numbers.length / 2;
+  const hazes = heldRows(LOGS, Math.log(turbidity)), rows = crossed(hazes, heldRows(SUNS, elevation), SUNS.length);
+  const of = (from: number): number[] => WAVELENGTHS.map((_, w) => rows.reduce((total, [row, weight]) => total + weight * numbers[from + row * count + w], 0));
+  return {
+    light: of(0).map((log) => strength * Math.exp(log)), thick: of(half),
+    back: WAVELENGTHS.map((_, w) => hazes.reduce((total, [row, weight]) => total + weight * back[row][w], 0)),
+  };
+}
+
+/** At wavelength number w, irradiance of that sky over what sends a share `mirrored` of it and of the sun's `beam` back:
+ *  all, and the even light of which thick cloud would let as much through. */
+export function skylight(upper: UpperSky, w: number, beam: number, mirrored: number): [number, number] {
+  const whole = (upper.light[w] + beam) / (1 - upper.back[w] * mirrored) - beam;
+  return [whole, whole * upper.thick[w]];
+}
