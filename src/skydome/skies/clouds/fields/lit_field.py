@@ -137,14 +137,9 @@ class LitField:
         """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
         wide, beam = self.ordinates, self.beam
         while len(beam) > WIDEST:
-            wide, beam = wide.wider(), wider(beam, wide.extinction)
-        whole, dim = (
-            [down for _, (down, _) in each]
-            for each in (
-                [o.found(o.beam(beam, self.sun), 0.0, 0.0), o.found(None, 1.0, 0.0), o.found(None, 0.0, 1.0)]
-                for o in (wide, replace(wide, albedo=1 - LOST / self.kept))
-            )
-        )
+            wide, beam = wide.wider, wider(beam, wide.extinction)
+        both = (wide, replace(wide, albedo=1 - LOST / self.kept))
+        whole, dim = (each.coming_down(each.beam(beam, self.sun)) for each in both)
         return tuple(all_down / max(down, LEAST) for all_down, down in zip(whole, dim, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:

@@ -8,7 +8,9 @@ import numpy as np
 SWEEPS, FEWEST = 2, 8
 """Sweeps on each grid, and cells along a side of the coarsest, at most."""
 SMEARED = 0.25
-"""Diffusivity of ordinates' rays that hop from cell to cell, in widths of a cell."""
+"""Diffusivity of ordinates' rays that hop from cell to cell, in widths of a cell, and the least that keeps the
+hastening of dense cells steady, in heights of them.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +27,8 @@ class Diffusion:
     @classmethod
     def of(cls, extinction: np.ndarray, absorbed: np.ndarray, steps: tuple[float, float]) -> "Diffusion":
         """By transport extinction above 0, m-1."""
-        upward = np.float32(1 / 3) / extinction
-        return cls(upward, np.hypot(upward, np.float32(SMEARED * steps[0])), absorbed, steps)
+        level, upward = (np.hypot(np.float32(1 / 3) / extinction, np.float32(SMEARED * step)) for step in steps)
+        return cls(upward, level, absorbed, steps)
 
     @cached_property
     def coarser(self) -> "Diffusion | None":

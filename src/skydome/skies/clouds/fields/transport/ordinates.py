@@ -2,7 +2,8 @@
 
 Twelve directions down and twelve up (three slants of Gauss, four azimuths) through cells that scatter
 (1 + 3 g cos) / 4 pi of what meets them. Each step is one sweep of rays, and diffusion of what it changed (diffusion
-synthetic acceleration, Alcouffe 1977): sweeps alone would have to be hundreds in thick cloud. Nothing in it is fitted.
+synthetic acceleration, Alcouffe 1977): sweeps alone would have to be hundreds in thick cloud. Steps begin with what
+cells twice as wide have, and those with still wider ones: three steps do for seven. Nothing in it is fitted.
 """
 
 from dataclasses import dataclass, replace
@@ -13,10 +14,14 @@ import numpy as np
 from skydome.skies.clouds.fields.transport.diffusion import Diffusion, paired
 
 SLANTS = 3
-CHANGE, MOST = 2e-3, 24
-"""Change of the mean fluence at which it is found, and steps at most."""
-THIN = 1e-2
-"""Optical depth below which series are exact."""
+CHANGE, WIDE_CHANGE, MOST = 8e-3, 1e-3, 24
+"""Change of the mean fluence at which it is found (what is left then is less than half of it), of that in the widest
+cells, and steps at most.
+"""
+NARROWEST = 16
+"""Cells along a side of the widest cells' grid, at most."""
+THIN, LEAST = 1e-2, 1e-20
+"""Optical depth below which series are exact; an extinction that is none, m-1."""
 FOUR_PI = 4 * np.pi
 
 
@@ -36,9 +41,15 @@ class Ordinates:
         """The extinction (up, north, east), float32."""
         return np.ascontiguousarray(np.moveaxis(self.extinction, 2, 0), np.float32)
 
+    @cached_property
     def wider(self) -> "Ordinates":
         """By cells twice as wide."""
         return replace(self, extinction=paired(self.extinction), steps=(2 * self.steps[0], self.steps[1]))
+
+    @property
+    def is_widest(self) -> bool:
+        """Whether there are no wider cells."""
+        return len(self.extinction) <= NARROWEST
 
     @cached_property
     def slants(self) -> tuple[np.ndarray, np.ndarray]:
@@ -110,20 +121,44 @@ class Ordinates:
         """Fluence and flux to east, north and up, (north, east, up, 4), float32, and the fluxes that go out of bottom
         and top, where cells send `first` besides what they scatter, and fluxes come in from above and below.
         """
-        ray = np.empty((len(self.directions), 4, *self.sigma.shape[1:]), np.float32)
-        entering = np.array([above, below], np.float32) / np.float32(np.pi)
-        light = np.zeros((4, *self.sigma.shape), np.float32)
-        for _ in range(MOST):
-            new = self.swept(light, first, entering, ray)
-            new[0] += self.hastened(new[0] - light[0])
-            change = np.abs(new[0] - light[0]).mean()
-            light = new
-            if change < CHANGE * light[0].mean():
-                break
+        light, ray = self.solved(first, np.array([above, below], np.float32) / np.float32(np.pi))
         each = 4 * self.directions[:, 3] * np.abs(self.directions[:, 2]) * np.tile(self.counts, 2)
         down, up = (each * ray.mean(axis=(1, 2, 3))).reshape(2, SLANTS).sum(axis=1)
         light[0] = np.maximum(light[0], 0)
         return light.transpose(2, 3, 1, 0), (float(down), float(up))
+
+    def coming_down(self, first: np.ndarray) -> tuple[float, float, float]:
+        """What comes down of what cells send `first`, and of fluxes of 1 that come in from above and from below.
+
+        By the last alone, since light goes a way as well as back: its light in a cell, turned about, tells how much of
+        what the cell sends comes down, and what of it goes out above how much comes down from there.
+        """
+        light, (down, up) = self.found(None, 0.0, 1.0)
+        about = light.transpose(3, 2, 0, 1) * np.array([1, -1, -1, -1], np.float32)[:, None, None, None]
+        height = self.steps[1] * self.extinction.shape[2]
+        return float(np.pi * height * (self.sigma * (first * about).sum(axis=0)).mean()), up, down
+
+    def solved(self, first: np.ndarray | None, entering: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Fluence and flux (4, up, north, east), and radiances that go out, where `entering` ones come in."""
+        ray = np.empty((len(self.directions), 4, *self.sigma.shape[1:]), np.float32)
+        light, enough = self.begun(first, entering), WIDE_CHANGE if self.is_widest else CHANGE
+        for _ in range(MOST):
+            new = self.swept(light, first, entering, ray)
+            step = new[0] - light[0]
+            more = self.hastened(step)
+            light, change = new, np.abs(step + more).mean()
+            light[0] += more
+            if change < enough * light[0].mean():
+                break
+        return light, ray
+
+    def begun(self, first: np.ndarray | None, entering: np.ndarray) -> np.ndarray:
+        """What cells twice as wide have, none where these are the widest."""
+        if self.is_widest:
+            return np.zeros((4, *self.sigma.shape), np.float32)
+        wide = None if first is None else halved(self.sigma * first) / np.maximum(self.wider.sigma, LEAST)
+        light, _ = self.wider.solved(wide, entering)
+        return light.repeat(2, axis=2).repeat(2, axis=3)
 
     def swept(self, light: np.ndarray, first: np.ndarray | None, entering: np.ndarray, ray: np.ndarray) -> np.ndarray:
         """Fluence and flux (4, up, north, east) by one sweep."""
@@ -150,6 +185,12 @@ class Ordinates:
         open_air = np.float32(1 / (self.steps[1] * self.extinction.shape[2]))
         turned = np.maximum(np.float32(1 - self.albedo * self.asymmetry) * self.extinction, open_air)
         return Diffusion.of(turned, np.float32(1 - self.albedo) * self.extinction, self.steps)
+
+
+def halved(cells: np.ndarray) -> np.ndarray:
+    """Means of two by two cells to north and east, of (..., north, east)."""
+    pairs = cells[..., ::2, :] + cells[..., 1::2, :]
+    return np.asarray(0.25 * (pairs[..., ::2] + pairs[..., 1::2]), np.float32)
 
 
 def wider(light: np.ndarray, extinction: np.ndarray) -> np.ndarray:
