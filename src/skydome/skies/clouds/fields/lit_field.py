@@ -18,7 +18,7 @@ from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.low_sun import lifted
 from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
-from skydome.skies.clouds.fields.transport.ordinates import Ordinates, wider
+from skydome.skies.clouds.fields.transport.ordinates import Ordinates
 
 FARTHEST = 400_000.0
 """How far cloud is sought, m."""
@@ -121,11 +121,16 @@ class LitField:
         return light * np.float32(self.sun[2] * (1 - self.straight(self.sun[2])) / max(met, 1e-30))
 
     @cached_property
+    def first(self) -> np.ndarray:
+        """What cells send of sunlight scattered once, as `ordinates` have it."""
+        return self.ordinates.beam(self.beam, self.sun)
+
+    @cached_property
     def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
         """Fluence and flux of scattered light for sunlight of irradiance 1 on a plane that faces it, and what of it
         comes out below and above.
         """
-        return self.ordinates.found(self.ordinates.beam(self.beam, self.sun), 0.0, 0.0)
+        return self.ordinates.found(self.first, 0.0, 0.0)
 
     @cached_property
     def skylight(self) -> tuple[np.ndarray, tuple[float, float]]:
@@ -135,12 +140,12 @@ class LitField:
     @cached_property
     def losses(self) -> tuple[float, ...]:
         """Light of sun, sky and ground that comes down, over that where cloud absorbs `LOST` of what meets it."""
-        wide, beam = self.ordinates, self.beam
-        while len(beam) > WIDEST:
-            wide, beam = wide.wider, wider(beam, wide.extinction)
-        both = (wide, replace(wide, albedo=1 - LOST / self.kept))
-        whole, dim = (each.coming_down(each.beam(beam, self.sun)) for each in both)
-        return tuple(all_down / max(down, LEAST) for all_down, down in zip(whole, dim, strict=True))
+        wide, first = self.ordinates, self.first
+        while len(wide.extinction) > WIDEST:
+            wide, first = wide.wider, wide.of_wider(first)
+        dim = replace(wide, albedo=1 - LOST / self.kept)
+        both = wide.coming_down(first), dim.coming_down(np.float32(dim.albedo) * first)
+        return tuple(all_down / max(down, LEAST) for all_down, down in zip(*both, strict=True))
 
     def dimming(self, lost: np.ndarray) -> np.ndarray:
         """What cloud that absorbs shares `lost` (W,) leaves of the scattered light of sun, sky and ground, (3, W)."""

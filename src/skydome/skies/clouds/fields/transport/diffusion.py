@@ -5,8 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-SWEEPS, FEWEST = 2, 8
-"""Sweeps on each grid, and cells along a side of the coarsest, at most."""
+SWEEPS, NOTHING = 2, np.float32(1e-9)
+"""Sweeps on each grid; a share that is as good as none."""
 SMEARED = 0.25
 """Diffusivity of ordinates' rays that hop from cell to cell, in widths of a cell, and the least that keeps the
 hastening of dense cells steady, in heights of them.
@@ -32,12 +32,12 @@ class Diffusion:
 
     @cached_property
     def coarser(self) -> "Diffusion | None":
-        """By cells twice as wide."""
-        if len(self.upward) <= FEWEST:
+        """By cells twice as wide, down to one column, from which nothing goes to its sides."""
+        if len(self.upward) == 1:
             return None
         (dx, dz), cells = self.steps, (self.upward, self.level, self.absorbed)
         upward, level, absorbed = (paired(part) for part in cells)
-        return Diffusion(upward, level, absorbed, (2 * dx, dz))
+        return Diffusion(upward, level if len(level) > 1 else NOTHING * level, absorbed, (2 * dx, dz))
 
     @cached_property
     def tables(self) -> np.ndarray:

@@ -46,6 +46,10 @@ class Ordinates:
         """By cells twice as wide."""
         return replace(self, extinction=paired(self.extinction), steps=(2 * self.steps[0], self.steps[1]))
 
+    def of_wider(self, first: np.ndarray) -> np.ndarray:
+        """What cells twice as wide send where these send `first` (4, up, north, east)."""
+        return np.asarray(halved(self.sigma * first) / np.maximum(self.wider.sigma, LEAST))
+
     @property
     def is_widest(self) -> bool:
         """Whether there are no wider cells."""
@@ -156,8 +160,7 @@ class Ordinates:
         """What cells twice as wide have, none where these are the widest."""
         if self.is_widest:
             return np.zeros((4, *self.sigma.shape), np.float32)
-        wide = None if first is None else halved(self.sigma * first) / np.maximum(self.wider.sigma, LEAST)
-        light, _ = self.wider.solved(wide, entering)
+        light, _ = self.wider.solved(None if first is None else self.of_wider(first), entering)
         return light.repeat(2, axis=2).repeat(2, axis=3)
 
     def swept(self, light: np.ndarray, first: np.ndarray | None, entering: np.ndarray, ray: np.ndarray) -> np.ndarray:
@@ -191,9 +194,3 @@ def halved(cells: np.ndarray) -> np.ndarray:
     """Means of two by two cells to north and east, of (..., north, east)."""
     pairs = cells[..., ::2, :] + cells[..., 1::2, :]
     return np.asarray(0.25 * (pairs[..., ::2] + pairs[..., 1::2]), np.float32)
-
-
-def wider(light: np.ndarray, extinction: np.ndarray) -> np.ndarray:
-    """What meets the cloud of cells twice as wide, (north, east, up), by the cells' own."""
-    met = paired(extinction)
-    return np.asarray(paired(extinction * light) / np.where(met > 0, met, np.float32(1)))
