@@ -36,7 +36,7 @@ class Coarse(sd.Cumulus):
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch):
     """Cumulus by name is the coarse one: what a film does is the same."""
-    monkeypatch.setattr(films, "kind_named", lambda name: Coarse() if name == "cumulus" else kind_named(name))
+    monkeypatch.setattr(films, "kind_named", lambda name, *of: Coarse() if name == "cumulus" else kind_named(name, *of))
 
 
 @pytest.fixture
@@ -86,7 +86,7 @@ def test_steps_between_rows_keep_the_energy_of_each(tape, tmp_path):
         (("--date", "2026-06-21", "--clouds", "fog"), "cumulus, stratocumulus, altocumulus, cirrus, got 'fog'"),
         (("--date", "2026-12-21", "--clouds", "cirrus"), "no row with light on 21 December"),
         (("--date", "noon", "--clouds", "cirrus"), "--date must be a day such as 2026-06-21, got 'noon'"),
-        (("--clouds", "cirrus"), "clouds of a --date"),
+        (("--clouds", "cirrus"), "give --date and --clouds"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--step", "soon"), "--step must be a length of time"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "west"), "--wind"),
         (("--date", "2026-06-21", "--clouds", "cirrus", "--wind", "900,0"), "wind must lie in [-200, 200] m s-1"),

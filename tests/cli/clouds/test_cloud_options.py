@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.cli.clouds.scene import field_of
 from skydome.cli.options import SkyOptions
 from skydome.cli.scene import scene_of
 
@@ -22,6 +23,13 @@ def test_the_clouds_are_those_asked_for():
     assert any("clouds: altocumulus, cover 0.30" in note for note in scene.notes)
     assert type(scene.sky) is sd.CloudySky
     assert scene_of(SkyOptions(sun="200,40", clouds="cirrus", cover=0.0, no_sun=True)).disc is None
+
+
+def test_cirrus_may_have_a_halo():
+    plane = SkyOptions(clouds="cirrus", kind="hexagonal", base=8000.0, set=["smooth=0.5", "effective_radius=80e-6"])
+    cirrus = sd.Cirrus(sd.HexagonalIce(smooth=0.5), effective_radius=80e-6)
+    assert field_of(plane) == sd.CloudField(cirrus, base=8000.0)
+    assert field_of(SkyOptions(clouds="cumulus", kind="ice")).kind == sd.Cumulus(sd.Ice())
 
 
 @pytest.mark.parametrize(
@@ -43,6 +51,13 @@ def test_the_clouds_are_those_asked_for():
         ((*MEASURED, "--dni", 1200, "--dhi", 50), "through the clearest air here, got 1200"),
         (("--sun", "200,0.3", "--clouds", "cumulus", "--dni", 10, "--dhi", 5), "0.5 degrees above the horizon"),
         (("--clouds", "cumulus"), "the sun must be given"),
+        ((*MEASURED, "--cloud-kind", "snow"), "--cloud-kind must be one of water, ice, hexagonal, got 'snow'"),
+        ((*MEASURED, "--set", "smooth=0.5"), "--set smooth is of hexagonal ice: give --cloud-kind hexagonal too"),
+        ((*MEASURED, "--cloud-kind", "hexagonal", "--set", "aspect=9"), "aspect must lie in [0.2, 5], got 9"),
+        ((*MEASURED, "--set", "effective_radius=1e-4"), "effective_radius must lie in [4e-06, 2.5e-05] m"),
+        ((*MEASURED, "--cloud-base", 900, "--set", "base=800"), "is the other way to say --cloud-base"),
+        ((*SUN, "--cloud-kind", "ice"), "physical takes no --cloud-kind"),
+        ((*SUN, "--model", "overcast", "--cloud-kind", "hexagonal"), "(--clouds cirrus --cloud-kind hexagonal)"),
     ],
 )
 def test_bad_options_are_one_line(refused, tmp_path, options, told):

@@ -6,4 +6,5 @@
 - crystals/  Crystals as hexagonal prisms: halos
 - tabulated  A phase function known by its logarithms at angles
 - angles     Those angles
+- named      Water, ice and hexagonal ice by the words of the command line
 """

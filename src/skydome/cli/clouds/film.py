@@ -1,13 +1,14 @@
 """A film of a day of a weather file: a map of each of its rows with light, or of every step, whose clouds carry it."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from skydome.cli.clouds.day import LEAST_LIGHT, Light, day_of
 from skydome.cli.clouds.kinds import kind_named
+from skydome.cli.clouds.scene import without_clouds
 from skydome.cli.endings import complain
 from skydome.cli.frames import Frames, duration
 from skydome.cli.map_file import FileOptions
@@ -39,7 +40,7 @@ class LightOrder(MapOrder):
         import skydome as sd
         from skydome.skies.catalogue import model_named
 
-        moment, options = moment_of(self.options), replace(self.options, clouds=None, cloud_seed=None)
+        moment, options = moment_of(self.options), without_clouds(self.options)
         clear, _ = build(model_named(options.model), moment, options)
         assert isinstance(clear, sd.PhysicalSky)
         assert self.day is not None
@@ -93,6 +94,7 @@ def light_film(
     exposure: float | None,
     step: str | None = None,
     wind: str | None = None,
+    particles: str | None = None,
 ) -> Frames:
     """The frames of a day of a weather file; ValueError in one line for what does not fit together."""
     from skydome.dome.energy.drifting_clouds import DriftingClouds
@@ -102,7 +104,7 @@ def light_film(
 
     if clouds is None:
         raise ValueError("--weather makes a film of clouds: give --clouds too, such as --clouds cumulus")
-    kind, (east, north) = kind_named(clouds), numbers(wind or USUAL_WIND, 2, "--wind", USUAL_WIND)
+    kind, (east, north) = kind_named(clouds, particles), numbers(wind or USUAL_WIND, 2, "--wind", USUAL_WIND)
     start = CloudField(kind, seed=seed, wind=(east, north))
     between = None if step is None else duration(step)
     required("numba", "fast", "--clouds")
@@ -113,7 +115,7 @@ def light_film(
     moments = day.rows if between is None else day.every(between)
     folder.mkdir(parents=True, exist_ok=True)
     place = f"{record.place.latitude!r},{record.place.longitude!r},{record.place.altitude!r}"
-    options = SkyOptions(place=place, time=moments[0][0].isoformat(), clouds=clouds, cloud_seed=seed)
+    options = SkyOptions(place=place, time=moments[0][0].isoformat(), clouds=clouds, cloud_seed=seed, kind=particles)
     name = FRAMES["exr" if exposure is None else "png"]
     order = MapOrder(options, FileOptions(exposure=exposure), folder / name, height)
     times, lights = (tuple(part) for part in zip(*moments, strict=True))

@@ -17,7 +17,8 @@ USUAL_COVER = 0.4
 REPEATS = 3000
 """Periods of the field after which one that drifts by the clock is where it was, its fine detail too."""
 OF_FIELDS = ("base", "thickness", "extinction")
-"""What --set takes of a field of cloud, beside its options."""
+OF_PARTICLES = ("effective_radius", "aspect", "roughness", "smooth")
+"""What --set takes of a field of cloud and of what it is made of, beside their options."""
 
 
 def without_clouds(options: SkyOptions) -> SkyOptions:
@@ -38,11 +39,13 @@ def without_clouds(options: SkyOptions) -> SkyOptions:
             raise ValueError(f"{name} is found from --dni and --dhi: give it, or them")
     return replace(
         options,
-        set=[text for text in options.set or () if text.partition("=")[0] not in OF_FIELDS] or None,
+        set=[text for text in options.set or () if text.partition("=")[0] not in (*OF_FIELDS, *OF_PARTICLES)] or None,
         clouds=None,
         cover=None,
         cloud_seed=None,
         wind=None,
+        base=None,
+        kind=None,
         direct_normal_irradiance=None,
         diffuse_horizontal_irradiance=None,
     )
@@ -73,9 +76,13 @@ def field_of(options: SkyOptions) -> "CloudField":
 
     required("numba", "fast", "--clouds")
     seed = 0 if options.cloud_seed is None else options.cloud_seed
-    shape: dict[str, Any] = {name: value for name, value in set_by_name(options.set).items() if name in OF_FIELDS}
+    given = set_by_name(options.set)
+    if options.base is not None and "base" in given:
+        raise ValueError("--set base is the other way to say --cloud-base: give one of them")
+    shape: dict[str, Any] = {"base": options.base} | {name: given[name] for name in OF_FIELDS if name in given}
     cover = USUAL_COVER if options.cover is None else options.cover
-    field = sd.CloudField(kind_named(str(options.clouds)), cover=cover, seed=seed, **shape)
+    sizes = {name: given[name] for name in OF_PARTICLES if name in given}
+    field = sd.CloudField(kind_named(str(options.clouds), options.kind, sizes), cover=cover, seed=seed, **shape)
     return field if options.wind is None else drifted(field, options)
 
 
@@ -128,6 +135,4 @@ def air_of(found: "MeasuredClouds") -> str:
 
 def told(field: "CloudField") -> str:
     """A line on the field."""
-    return (
-        f"clouds: {field.kind.name}, cover {field.cover:.2f}, {field.base:.0f} to {field.top:.0f} m, seed {field.seed}"
-    )
+    return f"clouds: {field.words}"

@@ -7,6 +7,7 @@ from typing import Annotated
 from typer import Argument, Option
 
 from skydome.cli.clouds.film import USUAL_WIND, light_film
+from skydome.cli.clouds.layer_options import CloudKindWord
 from skydome.cli.doors import progress
 from skydome.cli.map_file import Exposure, Half
 from skydome.cli.night.film import film_of, movie_of, show_film
@@ -58,6 +59,7 @@ def animate(
             help="cumulus, stratocumulus, altocumulus or cirrus over --place, or with the light of --weather.",
         ),
     ] = None,
+    cloud_kind: CloudKindWord = None,
     cover: Annotated[
         float | None, Option(help="Of --clouds over --place: share of the sky with cloud, 0-1. [default: 0.4]")
     ] = None,
@@ -89,23 +91,22 @@ def animate(
             or (cover, cloud_depth, model) != (None, None, "physical")
         ):
             raise ValueError(
-                "--weather makes a film of clouds of a --date, its rows or every --step the frames: no captures, "
-                "--place, --zone, --cover, --model"
+                "--weather makes a film of a --date, whose place and light are the file's: give --date and --clouds, "
+                "no captures, --place, --zone, --cover, --cloud-depth or --model"
             )
-        show_film(light_film(weather, date, clouds, seed, output, height, level, step, wind), movie, as_json)
+        film_order = light_film(weather, date, clouds, seed, output, height, level, step, wind, cloud_kind)
+        show_film(film_order, movie, as_json)
         return
     if wind is not None and clouds is None:
         raise ValueError("--wind moves clouds: give --clouds too, such as --clouds cumulus")
     if date is not None:
-        sky = SkyOptions(model=model, clouds=clouds, cover=cover, optical_depth=cloud_depth)
+        sky = SkyOptions(model=model, clouds=clouds, cover=cover, optical_depth=cloud_depth, kind=cloud_kind)
         if clouds is not None:
             sky = replace(sky, cloud_seed=seed, wind=wind or USUAL_WIND)
         show_film(film_of(folder, place, date, zone, step or "10min", output, height, level, sky), movie, as_json)
         return
-    if clouds is not None or cover is not None or cloud_depth is not None or model != "physical":
-        raise ValueError(
-            "--clouds and --model are of a film of a day: give --place and --date, or --weather and --date"
-        )
+    if (clouds, cover, cloud_depth, cloud_kind, model) != (None, None, None, None, "physical"):
+        raise ValueError("clouds and --model are of a film of a day: give --date, and --place or --weather")
     if folder is None:
         raise ValueError("animate needs a folder of captures, or --place and --date")
     from math import radians

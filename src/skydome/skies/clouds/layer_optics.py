@@ -97,7 +97,8 @@ def require_known(kind: CloudParticles) -> None:
     """ValueError in one line for particles whose scattering is made otherwise than that of those that were taught."""
     if kind.peaked:
         raise ValueError(
-            f"the overcast sky was taught Water() and Ice(), got {kind}; DiscreteOrdinates and CloudySky take it"
+            f"the overcast sky was taught Water() and Ice(), got {kind}; DiscreteOrdinates takes it, and "
+            "CloudySky (--clouds cirrus --cloud-kind hexagonal)"
         )
 
 

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from skydome.air.clouds.particles import CloudParticles, Ice, Water
+from skydome.air.clouds.named import PARTICLES
+from skydome.air.clouds.particles import CloudParticles
 from skydome.ground.arguments import require_word
 from skydome.ground.limits.ranges import require
 from skydome.skies.clouds.overcast import OvercastSky
@@ -15,8 +16,8 @@ from skydome.skies.validity import Check
 from skydome.sun.place import Place
 from skydome.sun.refraction import standard_pressure
 
-KINDS: dict[str, CloudParticles] = {kind.name: kind for kind in (Water(), Ice())}
-"""Kinds of cloud by the words of the command line."""
+KINDS: dict[str, CloudParticles] = {word: kind for word, kind in PARTICLES.items() if not kind.peaked}
+"""Kinds of cloud that the overcast sky was taught, by the words of the command line."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class OvercastModel(Model):
         asked: dict[str, Any] = {"albedo": USUAL["albedo"], "altitude": 0.0, "kind": "water"} | dict(given)
         altitude, kind = asked.pop("altitude"), asked.pop("kind")
         require("altitude", altitude, Place.bounds["altitude"])
-        particles = KINDS[require_word(kind, tuple(KINDS), "cloud kind")]
+        particles = PARTICLES[require_word(kind, PARTICLES, "cloud kind")]
         return OvercastSky(sun, **asked, kind=particles, pressure=standard_pressure(altitude), check=check)
 
     def make(

@@ -106,6 +106,17 @@ class CloudField(Bounded):
         """Height of the clouds' top above the ground, m."""
         return self.base + self.thickness
 
+    @property
+    def words(self) -> str:
+        """What it is, in a line.
+
+        >>> CloudField(seed=7).words
+        'cumulus, cover 0.40, 1200 to 2500 m, seed 7, water of 10 um'
+        """
+        kind, height = self.kind, f"{self.base:.0f} to {self.top:.0f} m"
+        of = f"{kind.particles.name} of {kind.radius * 1e6:g} um"
+        return f"{kind.name}, cover {self.cover:.2f}, {height}, seed {self.seed}, {of}"
+
     @cached_property
     def threshold(self) -> float:
         """The shape from which on there is cloud, so that `cover` is met."""

@@ -63,8 +63,7 @@ class FieldAbove(Over):
     @property
     def words(self) -> str:  # type: ignore[override]
         """What it is."""
-        f = self.field
-        return f"{f.kind.name}, cover {f.cover:.2f}, {f.base:.0f} to {f.top:.0f} m, seed {f.seed}"
+        return self.field.words
 
     def before(self, parts: Parts, air: Atmosphere) -> Parts:
         """Each part behind the field; those without a beam share its rays with the moon's, or the sun's."""
