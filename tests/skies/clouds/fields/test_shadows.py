@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import skydome as sd
+from skydome.skies.clouds.fields.kinds import Slab
 from skydome.skies.clouds.fields.shadows import sun_share
 
 pytest.importorskip("numba")
@@ -18,6 +19,12 @@ def test_a_whole_cover_hides_the_lowest_sun(elevation):
     assert sun_share(cover, sun, HERE)[0] < 1e-9
     assert sun_share(sd.CloudField(cover=0.0), sun, HERE)[0] == 1.0
     assert sun_share(cover, sun * [1, 1, -1], HERE)[0] == 0.0
+
+
+@pytest.mark.parametrize(("extinction", "depth"), [(0.059, 59.0), (0.0601, 60.0), (0.6, 60.0)])
+def test_a_ray_that_is_dark_is_followed_no_further(extinction, depth):
+    slab = sd.CloudField(Slab(), cover=1.0, extinction=extinction)
+    assert -np.log(sun_share(slab, sd.ZENITH, HERE, points=1)[0]) == pytest.approx(depth, abs=1e-3)
 
 
 def test_shadows_drift_with_the_wind_and_repeat():

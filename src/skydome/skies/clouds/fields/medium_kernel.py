@@ -12,6 +12,9 @@ from skydome.skies.clouds.fields.thickening import LEAST, MOST
 
 compiled, part = job(), inlined()
 
+DARK = 60.0
+"""Optical depth from which on a ray is followed no further: 9e-27 of the light is left."""
+
 
 @part
 def wrapped(table, x, y, z):
@@ -146,7 +149,7 @@ def beams(m, gaps, width, kept, sun, depths, met, passing):
 
 @compiled
 def depths_along(first, last, m, starts, direction, step, out):
-    """Optical depth through the whole layer along a direction (3,) from places (N, 3) on the ground below it."""
+    """Optical depth along a direction (3,) from places (N, 2) on the ground below it, `DARK` where it is more."""
     for n in range(first, last):
         t = m.base / direction[2]
         end, total = (m.base + m.thickness) / direction[2], 0.0
@@ -156,4 +159,6 @@ def depths_along(first, last, m, starts, direction, step, out):
         for k in range(count):
             s = t + (k + 0.5) * ds
             total += extinction(m, x + s * direction[0], y + s * direction[1], s * direction[2] - m.base)
-        out[n] = total * ds
+            if total * ds > DARK:
+                break
+        out[n] = min(total * ds, DARK)
