@@ -61,9 +61,10 @@ class Tracing:
 
     @property
     def relative_error(self) -> float:
-        """Median over directions and wavelengths of standard error over radiance."""
-        light = self.radiance
-        return float(np.median(self.standard_error[light > 0] / light[light > 0])) if (light > 0).any() else 0.0
+        """Median of standard error over radiance where paths found light (a map's clouds, not its clear sky), or 0."""
+        light, error = self.radiance, self.standard_error
+        found = (light > 0) & (error > 0)
+        return float(np.median(error[found] / light[found])) if found.any() else 0.0
 
     def more(self, passes: int = 1) -> "Tracing":
         """With further passes traced, numbered on from the last."""

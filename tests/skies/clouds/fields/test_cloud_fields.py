@@ -298,3 +298,13 @@ def test_absorption_by_wider_cells_is_that_by_its_own(monkeypatch):
     wide = LitField.of(HEAPS, SUN).losses
     monkeypatch.setattr("skydome.skies.clouds.fields.lit_field.WIDEST", 64)
     np.testing.assert_allclose(wide, LitField.of(HEAPS, SUN).losses, rtol=0.06)
+
+
+def test_what_is_clear_does_not_count_as_traced(sky):
+    views = sd.direction(
+        np.radians([0.0, 90.0, 180.0, 270.0, 20.0, 45.0]), np.radians([60.0, 35.0, 50.0, 70.0, 25.0, 80.0])
+    )
+    found = sd.CloudTracing(sky, views, paths_per_pass=2).start().more(4)
+    errors = found.standard_error / found.radiance
+    assert (errors == 0).any()
+    assert found.relative_error == np.median(errors[errors > 0])

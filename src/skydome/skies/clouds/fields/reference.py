@@ -15,14 +15,14 @@ from skydome.ground.limits.ranges import SEED, Range, require, require_one
 from skydome.skies.clouds.fields.air.before import LEAST
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.scattering import Scattering
+from skydome.skies.clouds.fields.scattering import EVENED, Scattering
 from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.path_tracing.tracing import Tracing
 
 ELEVATIONS, AZIMUTHS = 33, 64
 """Of the table of the clear sky that paths end in."""
 PATHS_PER_PIECE = 64
-MEANING = 3
+MEANING = 4
 """Counted up whenever a seed comes to mean other paths."""
 
 
@@ -34,8 +34,8 @@ class CloudTracing:
     cloud from the sun, from the clear sky by direction, and from the ground. Delta tracking (Woodcock et al. 1965),
     next-event estimation by ratio tracking. Paths turn by the particles' phase function, the sun's colour by its law of
     the channel at the last turn; after the first turn the law that looks for the sun is evened within 6 degrees of its
-    peak (else a few paths hold all the light), which blurs what is nearer the sun than that. The air between cloud and
-    eye is that of the fast form.
+    peak, after the third within 30 (else a few paths hold all the light), which blurs what is nearer the sun than that.
+    The air between cloud and eye is that of the fast form.
 
     >>> import skydome as sd
     >>> from skydome.skies.clouds.fields.field import CloudField
@@ -128,7 +128,8 @@ def through_the_air(
 def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]:
     """What paths are turned by, and `albedo` (C,) of which is scattered."""
     share = np.broadcast_to(np.asarray(albedo, np.float64), scattering.law.shape[1:])
-    return scattering.law, scattering.evened, scattering.drawn, np.ascontiguousarray(share)
+    evened = (scattering.evened(within) for within in EVENED)
+    return scattering.law, *evened, scattering.drawn, np.ascontiguousarray(share)
 
 
 def photon_shares(lit: LitField, count: int, albedo: float = 1.0, seed: int = 0) -> np.ndarray:

@@ -18,6 +18,7 @@ import numpy as np
 
 from skydome.air.phase_laws import PhaseLaw
 from skydome.air.series.legendre import legendre
+from skydome.ground.units import deg
 
 ANGLES, SMOOTH, MOMENTS = 1025, 257, 400
 """Angles of tables; of what is blurred; Legendre moments of that."""
@@ -27,8 +28,8 @@ DEPTHS, FIRST, STEP = 12, 0.2, 0.337
 """Scaled depths of tables: FIRST (exp(k STEP) - 1), 0 to 8."""
 SHARES = 8193
 """Of the law's integral at which scattering angles are kept."""
-EVENED = np.radians(6.0)
-"""Within which the law is evened where paths that were scattered before look for the sun."""
+EVENED = (6 * deg, 30 * deg)
+"""Within which the law is evened where paths that were scattered before look for the sun, and later on."""
 
 
 @cache
@@ -94,13 +95,12 @@ class Scattering:
         """Legendre moments of a table (ANGLES, C), (MOMENTS, C)."""
         return np.asarray((polynomials(ANGLES) * grid(ANGLES)[1]) @ table)
 
-    @cached_property
-    def evened(self) -> np.ndarray:
-        """The law with its mean within `EVENED` of its peak, (ANGLES, C)."""
+    def evened(self, within: float) -> np.ndarray:
+        """The law with its mean `within` an angle of its peak, radians, (ANGLES, C)."""
         angle, solid = grid(ANGLES)
-        within = (angle < EVENED)[:, None]
-        mean = (solid @ (self.law * within)) / (solid @ within)
-        return np.where(within, mean, self.law)
+        inside = (angle < within)[:, None]
+        mean = (solid @ (self.law * inside)) / (solid @ inside)
+        return np.where(inside, mean, self.law)
 
     @cached_property
     def drawn(self) -> np.ndarray:

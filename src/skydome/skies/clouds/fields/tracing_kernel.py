@@ -2,9 +2,9 @@
 """Paths of light through a field of cloud, compiled: delta tracking (Woodcock et al. 1965), all orders.
 
 `m` is a `field.Medium`; `gaps` (north, east, up) m around that are free of cloud, in cells of width `dx`; `laws`: the
-phase function (ANGLES, C), the same evened about its peak, angles at even shares of its integral, and the shares that
-are scattered (C,). A path's state `p` (6,): place over the field, m, z above the base, and direction. Random numbers
-are a hash of path and event.
+phase function (ANGLES, C), the same evened about its peak, narrowly and widely, angles at even shares of its integral,
+and the shares that are scattered (C,). A path's state `p` (6,): place over the field, m, z above the base, and
+direction. Random numbers are a hash of path and event.
 """
 
 import math
@@ -21,6 +21,10 @@ MOST = 100_000
 """Events of a path, at most."""
 LEAST = 0.1
 """Transmittance below which a ray to the sun plays roulette."""
+WIDE = 3
+"""Turns of a path after which the law that looks for the sun is the widely evened one."""
+BRIGHT = 0.1
+"""Of that law, sr-1: where it is less, only so large a share of the rays to the sun is followed, and counts for all."""
 
 
 @part
@@ -88,13 +92,18 @@ def angle_drawn(angles, share):
 
 
 @part
-def from_sun(law, cosine, left, sun, light, worth):
-    """Add the sun's light (C,), of which `left` comes, turned by a law (ANGLES, C) at pi t^2 for even t."""
+def from_sun(m, gaps, dx, p, law, sun, sun_here, key, seldom, light, worth):
+    """Add the sun's light (C,), turned by a law (ANGLES, C) at pi t^2 for even t; `seldom` where that is dim."""
+    cosine = p[3] * sun[0] + p[4] * sun[1] + p[5] * sun[2]
     place = math.sqrt(math.acos(min(max(cosine, -1.0), 1.0)) / math.pi) * (law.shape[0] - 1)
     at = min(int(place), law.shape[0] - 2)
     share = place - at
+    followed = min(law[at, 0] / BRIGHT, 1.0) if seldom else 1.0
+    if uniform(key, 0) >= followed:
+        return
+    left = reaches(m, gaps, dx, p[0], p[1], p[2], sun, stirred(key)) / followed
     for c in range(light.size):
-        light[c] += worth[c] * left * (law[at, c] * (1 - share) + law[at + 1, c] * share) * sun[c]
+        light[c] += worth[c] * left * (law[at, c] * (1 - share) + law[at + 1, c] * share) * sun_here[c]
 
 
 @part
@@ -131,19 +140,19 @@ def off_ground(m, gaps, dx, p, lights, key, light, worth):
 @part
 def followed(m, gaps, dx, p, laws, lights, sky, key, count, light, worth):
     """Follow a path from its first collision on and gather its light, (C,)."""
-    law, evened, angles, share = laws
+    law, evened, widely, angles, share = laws
     sun, sun_here, _, _ = lights
-    before = False
+    turns = 0
     while True:
         if count > 0:
-            left = reaches(m, gaps, dx, p[0], p[1], p[2], sun, stirred(key + np.uint64(count) * GOLDEN))
             total = 0.0
             for c in range(light.size):
                 worth[c] *= share[c]
                 total = max(total, worth[c])
-            cosine = p[3] * sun[0] + p[4] * sun[1] + p[5] * sun[2]
-            from_sun(evened if before else law, cosine, left, sun_here, light, worth)
-            before = True
+            looks = law if turns == 0 else evened if turns < WIDE else widely
+            ray = stirred(key + np.uint64(count) * GOLDEN)
+            from_sun(m, gaps, dx, p, looks, sun, sun_here, ray, turns > 0, light, worth)
+            turns += 1
             if total < 0.05:
                 if uniform(key, count) > 0.5:
                     return
@@ -198,7 +207,7 @@ def traced(first, last, m, directions, gaps, dx, laws, lights, sky, paths, seed,
 @compiled
 def photons(first, last, m, gaps, dx, laws, sun, period, seed, out):
     """Count of photons from the sun: sent up, sent down after scattering, straight through, absorbed, into out (4,)."""
-    angles, share = laws[2], laws[3][0]
+    angles, share = laws[3], laws[4][0]
     p = np.empty(6)
     for n in range(first, last):
         key = stirred(np.uint64(n) + stirred(np.uint64(seed) * GOLDEN))
