@@ -1,5 +1,6 @@
 """The fields among which measured light is sought: from a few clouds over many bright ones to a dark cover."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -19,6 +20,8 @@ DENSEST = 0.9
 """Extinction at most, m-1."""
 MOST = 4.0
 """Of the shape, either way."""
+CLOSE, STEPS = 1e-5, 40
+"""How near the share of the sun is met, and steps to it at most."""
 SEEN = 1e-3
 """Share of the sun's light below which its disc is not seen."""
 OPEN = 0.999
@@ -48,13 +51,30 @@ def leaving(field: CloudField, share: float, sun: np.ndarray) -> CloudField:
         return field
     target = float(np.clip(share, SEEN / 2, (1 + OPEN) / 2))
     thick = share_left(field, sun, 0.0) > target
-    near, far = 0.0, MOST if thick else -MOST
     if (share < SEEN and not thick) or (share >= OPEN and thick):
         return field
-    for _ in range(40):
-        middle = (near + far) / 2
-        near, far = (middle, far) if (share_left(field, sun, middle) > target) == thick else (near, middle)
-    return thickened_to(field, sun, (near + far) / 2)
+    far = MOST if thick else -MOST
+    return thickened_to(field, sun, crossing(lambda amount: share_left(field, sun, amount) - target, far))
+
+
+def crossing(off: Callable[[float], float], far: float) -> float:
+    """Where between 0 and `far` a function is 0, by false positions that halve the side that stays (Illinois);
+    `far` where it is 0 nowhere.
+    """
+    (a, of_a), (b, of_b) = (0.0, off(0.0)), (far, off(far))
+    if of_a * of_b > 0:
+        return far
+    for _ in range(STEPS):
+        middle = (a * of_b - b * of_a) / (of_b - of_a)
+        found = off(middle)
+        if abs(found) < CLOSE:
+            return middle
+        if found * of_b < 0:
+            a, of_a = b, of_b
+        else:
+            of_a /= 2
+        b, of_b = middle, found
+    return b
 
 
 def share_left(field: CloudField, sun: np.ndarray, amount: float | None) -> float:

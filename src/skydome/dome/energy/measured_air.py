@@ -25,8 +25,9 @@ FEW, FINER = 4, (0.75, 0.87, 1.15, 1.33)
 """Hazes whose sun is near enough to look at; parts of the best that are looked at too."""
 CLOUDLESS = 0.85
 """Share of the clear sun from which on no cloud is taken to stand before it."""
-FINE, QUICK = (1, 2, 6), (5, 4, 3)
-"""Every so many wavelengths, coarseness, and bands: of what light is set by, and what it is sought by."""
+FINE, QUICK = (1, 2, 6, 24), (5, 8, 3, 16)
+"""Every so many wavelengths, coarseness, bands, and rings of nodes: of what light is set by, and what it is sought by.
+"""
 NEAR = 0.1
 """Greatest part by which light may be moved in the end; what needs more is refused."""
 
@@ -41,6 +42,8 @@ class Measure:
     """Places of a field's shape along a side of the cells in which its light is diffused."""
     bands: int
     """Channels that the spectrum is told in: air and cloud are taken as one colour in each."""
+    rings: int
+    """Of directions of the dome, twice as many in each."""
 
     @cached_property
     def channels(self) -> Channels:
@@ -55,7 +58,7 @@ class Measure:
     @cached_property
     def nodes(self) -> tuple[np.ndarray, np.ndarray]:
         """Directions of the dome and their shares of the horizontal's light."""
-        views, solid_angles = hemisphere(*CloudySky.nodes_about(self.sky.seen_sun))
+        views, solid_angles = hemisphere(self.rings, 2 * self.rings, CloudySky.nodes_about(self.sky.seen_sun)[2])
         return np.asarray(views), np.asarray(solid_angles * views[:, 2])
 
     @cached_property

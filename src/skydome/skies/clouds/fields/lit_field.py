@@ -28,6 +28,8 @@ LOST, TRIFLE, LEAST = 0.02, 1e-4, 1e-9
 """Share absorbed where it is told how cloud absorbs; a share that is nothing; a flux that is."""
 WIDEST = 32
 """Cells along a side of the grid by which that is told."""
+USUAL = 2
+"""Coarseness at which the sun's rays are as close as the places of the shape, and less close where it is more."""
 RAYS_PER_PIECE = 1 << 8
 WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
 """Gaps that are told apart, in heights of a cell."""
@@ -39,11 +41,11 @@ class LitField:
 
     field: CloudField
     sun: np.ndarray
-    coarseness: int = 2
+    coarseness: int = USUAL
     """Places of the shape along a side of a cell of the coarse grid."""
 
     @classmethod
-    def of(cls, field: CloudField, sun: Any, coarseness: int = 2) -> Self:
+    def of(cls, field: CloudField, sun: Any, coarseness: int = USUAL) -> Self:
         """ImportError without Numba; a sun lower than `low_sun.LOWEST` is as one there."""
         required("numba", "fast", "a field of cloud")
         return cls(field, lifted(sun), coarseness)
@@ -99,7 +101,8 @@ class LitField:
 
         kind, (dx, _) = self.field.kind, self.steps
         levels = min(ceil(self.field.thickness / self.sun[2] / (FINE * kind.detail)), MOST_LEVELS)
-        depths = np.empty((kind.count, kind.count, max(levels, kind.levels) + 1), np.float32)
+        side = max(self.cells, kind.count * USUAL // self.coarseness)
+        depths = np.empty((side, side, max(levels, kind.levels) + 1), np.float32)
         met, passing = np.zeros_like(self.coarse), np.zeros_like(self.coarse)
         beams(self.field.medium, self.gaps, dx, self.kept, self.sun, depths, met, passing)
         return depths, passing / np.maximum(met, LEAST)
