@@ -28,14 +28,14 @@ from skydome.skies.clouds.fields import field, lit_field, low_sun, march_kernel,
 from skydome.skies.clouds.fields.air import exchange, lower
 from skydome.skies.clouds.fields.air.above import skylight
 from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS, AirBefore
+from skydome.skies.clouds.fields.incident import Channels, Incident
 from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
+from skydome.skies.clouds.fields.transport import diffusion, ordinates
 from skydome.skies.physical.sky_colours import SkyColours
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 PATH = Path(__file__).resolve().parent.parent / "explorer" / "src" / "data" / "clouds.json"
 SINES = np.linspace(0.0, 1.0, VIEWS) ** 2
-DIFFUSION = {"open": [600.0, 4.0], "sweeps": 16, "over": 1.7, "fewest": 8}
-"""The page's own way: how empty air scatters in it (docs/decisions.md), sweeps, how far beyond, cells at the fewest."""
 STANDING = -4.0 + 94.0 * np.linspace(0.0, 1.0, 64) ** 2
 """True elevations of suns, degrees."""
 KINDS_OF_CLOUD = (Cumulus(), Stratocumulus(), Altocumulus(), Cirrus())
@@ -65,24 +65,42 @@ def numbers_of(kind: CloudKind) -> dict[str, Any]:
 def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray]:
     """Vertical columns of molecules, haze and ozone between the eye and the heights of a kind, (VIEWS, LEVELS, 3).
 
-    And of suns at `STANDING`, as seen from its middle, the share that the ground leaves, and columns of these and of
-    the stratosphere's haze, (SUNS, 5).
+    And of suns at `STANDING`, as seen from its middle, the share that the ground and the gases leave, and columns of
+    these and of the stratosphere's haze, (SUNS, 5).
     """
     before = AirBefore(air, np.empty(0), kind.base, kind.base + kind.thickness)
     tables, middle = ColumnTables.of(air), np.full(STANDING.shape, before.heights[LEVELS // 2])
     seen, share = tables.seen(middle, np.radians(STANDING))
+    share = share * [gases_leave(air, middle[0], sun) for sun in STANDING]
     return before.columns[..., :3], np.column_stack([share, tables.toward(middle, np.sin(seen))])
 
 
+def gases_leave(air: Atmosphere, height: float, sun: float) -> float:
+    """Share of the luminance of a sun's beam that water vapour, oxygen and carbon dioxide leave at a height."""
+    toward, channels = direction(0.0, np.radians(sun)), Channels.of_colours()
+    whole, left = (
+        float(Incident(PhysicalSky(toward, each, check="clamp"), None, channels).beam(height) @ channels.weights[:, 1])
+        for each in (replace(air, gases=None), air)
+    )
+    return left / whole if whole > 0 else 1.0
+
+
 def above(kind: CloudKind, sun: float, turbidity: float, mirrored: float = 0.0) -> np.ndarray:
-    """The sky on the top of a kind's field that sends a share `mirrored` back: irradiance over the sun's above the air,
-    and the share of it that thick cloud has of even light, (2, NODES).
+    """The sky on the top of a kind's field that sends a share `mirrored` of it and the sun back, irradiance over the sun's
+    above the air, and the share of it that thick cloud has of even light, (2, NODES).
     """
     made = model_named("physical").make(direction(0.0, np.radians(sun)), {"turbidity": turbidity})
-    clear = PhysicalSky(made.toward, replace(made.atmosphere, gases=None), check="clamp")
-    none = np.zeros(NODES.shape)
-    sky = skylight(clear, kind.base + kind.thickness, NODES, none, none + mirrored)
+    clear, top = PhysicalSky(made.toward, replace(made.atmosphere, gases=None), check="clamp"), kind.base + kind.thickness
+    beam = beam_at(clear.atmosphere, top, max(float(made.toward[2]), 0.0))
+    sky = skylight(clear, top, NODES, beam, np.full(NODES.shape, mirrored))
     return np.stack([sky.whole / clear.atmosphere.sun_at(NODES), sky.thick / sky.whole])
+
+
+def beam_at(air: Atmosphere, height: float, sine: float) -> np.ndarray:
+    """Irradiance of the sun on the horizontal at a height, (NODES,)."""
+    columns = ColumnTables.of(air).toward(np.array(height), np.array(sine))
+    depths = np.stack([np.asarray(part.depth(NODES)) for part in air.constituents])
+    return sine * np.exp(-columns @ depths) * air.sun_at(NODES)
 
 
 def skies_above(kind: CloudKind, suns: np.ndarray = SUNS) -> tuple[np.ndarray, np.ndarray]:
@@ -90,8 +108,15 @@ def skies_above(kind: CloudKind, suns: np.ndarray = SUNS) -> tuple[np.ndarray, n
     SUNS, NODES); and the share that the air sends back of light from below, (TURBIDITIES, NODES).
     """
     light, thick = np.moveaxis([[above(kind, sun, haze) for sun in suns] for haze in TURBIDITIES], 2, 0)
-    shone = np.array([[above(kind, SUNS[-1], haze, back)[0] for back in (0.0, 1.0)] for haze in TURBIDITIES])
-    return np.stack([np.log(light), thick]), 1 - shone[:, 0] / shone[:, 1]
+    return np.stack([np.log(light), thick]), np.array([sent_back(kind, haze) for haze in TURBIDITIES])
+
+
+def sent_back(kind: CloudKind, turbidity: float) -> np.ndarray:
+    """Share that the air above a kind sends back of light from below, (NODES,)."""
+    air = model_named("physical").make(direction(0.0, np.pi / 2), {"turbidity": turbidity}).atmosphere
+    beam = beam_at(air, kind.base + kind.thickness, 1.0) / air.sun_at(NODES)
+    none, whole = (above(kind, 90.0, turbidity, mirrored)[0] + beam for mirrored in (0.0, 1.0))
+    return 1 - none / whole
 
 
 def told_above(kind: CloudKind) -> dict[str, Any]:
@@ -106,6 +131,11 @@ def lower_columns(air: Atmosphere, kind: CloudKind) -> np.ndarray:
     return (tables.toward(np.array(0.0), up) - tables.toward(np.array(kind.base), up))[:3]
 
 
+def slants() -> Any:
+    """Sines of the elevations of the ordinates' rays, and their shares of a hemisphere."""
+    return plain(ordinates.Ordinates(np.zeros((1, 1, 1)), (1.0, 1.0), 0.0).slants, 12)
+
+
 def table() -> dict[str, Any]:
     """Everything but the skies above the kinds."""
     air = Atmosphere.standard(0.1)
@@ -118,7 +148,9 @@ def table() -> dict[str, Any]:
         "closed": field.CLOSED,
         "lowest": low_sun.LOWEST,
         "farthest": lit_field.FARTHEST,
-        **DIFFUSION,
+        "diffusion": {"sweeps": diffusion.SWEEPS, "fewest": diffusion.FEWEST, "smeared": diffusion.SMEARED},
+        "ordinates": {"change": ordinates.CHANGE, "most": ordinates.MOST, "thin": ordinates.THIN, "slants": slants()},
+        "beams": {"fine": lit_field.FINE, "most": lit_field.MOST_LEVELS, "least": lit_field.LEAST},
         "widths": lit_field.WIDTHS.tolist(),
         "gone": march_kernel.GONE,
         "dense": march_kernel.DENSE,

@@ -61,7 +61,7 @@ export class Incident {
   constructor(readonly lit: Lit, kind: FieldKind, clear: ClearLight, private readonly seeming: Float32Array) {
     const { base, thickness } = table.kinds[kind];
     [this.low, this.high] = [base, base + thickness];
-    this.direct = lit.straight(Math.sqrt(1 - (1 - lit.sun[2] ** 2) * (EARTH / (EARTH + base)) ** 2));
+    this.direct = lit.beams.straight(Math.sqrt(1 - (1 - lit.sun[2] ** 2) * (EARTH / (EARTH + base)) ** 2));
     const waves = clear.sun.map((_, w) => new Wave(lit, kind, clear, this.direct, w));
     const lights = [clear.sun, waves.map((wave) => wave.fieldSky), waves.map((wave) => wave.exchange.below), clear.sun];
     for (let j = 0, at = 0; j < VIEWS; j++) {

@@ -2,20 +2,14 @@
 
 import table from "../../data/clouds.json";
 import type { Vec3 } from "../../core/vector";
-import { between } from "./field";
-import { heldUp, type Lit } from "./lit";
+import { heldUp, READ, type Lit } from "./lit";
 
 const { earth: EARTH, gone: GONE, dense: DENSE, farthest: FARTHEST, first: FIRST, step: STEP } = table;
+const FOUR_PI = 4 * Math.PI;
 /** Scaled depths by which light scattered once is told apart. */
 export const DEPTHS = table.depths;
 /** Where the parts of what is seen lie: transmittance, sun, sky, ground, distance, and light scattered once by depth. */
 export const SEEN = { through: 0, sun: 1, sky: 2, ground: 3, far: 4, once: 5 } as const;
-
-/** Diffuse light scattered toward the eye, by the fluence somewhat before and behind. */
-function onward(low: number, high: number, way: number, ahead: number): number {
-  const fluence = 0.5 * (low + high);
-  return (fluence + Math.min(Math.max(way * (high - low) + ahead, -fluence), fluence)) / (4 * Math.PI);
-}
 
 /** Distance at which a ray comes to a height over the round ground, m. */
 function distanceTo(height: number, up: number): number {
@@ -25,53 +19,53 @@ function distanceTo(height: number, up: number): number {
 
 export class Rays {
   readonly seen = new Float64Array(5 + DEPTHS);
-  private readonly depth: Float32Array;
   private ofSun = 0;
   private ofSky = 0;
+  private ofGround = 0;
 
-  constructor(private readonly lit: Lit) {
-    this.depth = lit.light.filter((_, n) => n % 3 === 0);
-  }
+  constructor(private readonly lit: Lit) {}
 
-  /** Fluences of sun and sky at a place in cells, down to the base, into `ofSun` and `ofSky`. */
-  private fluences(x: number, y: number, z: number, lowest: number): void {
-    const { side, levels } = this.lit.cells.grid, { light } = this.lit;
+  /** Diffuse light of sun, sky and ground that is scattered toward the eye at a place in cells, into `ofSun` and so on: fluence and
+   *  flux linear between the middles of cells, and down to the base (Marshak's boundary), half a cell that is `lowest` transport free paths thick. */
+  private radiances(x: number, y: number, z: number, a: number, b: number, up: number, lowest: number): void {
+    const { grid, asymmetry } = this.lit.cells, { side, levels } = grid, { light } = this.lit, last = side - 1;
     const left = 1 - (2 * Math.min(Math.max(-z, 0), 0.5) * 1.5 * lowest) / (1 + 1.5 * lowest);
     z = Math.min(Math.max(z, 0), levels - 1.000001);
-    const fx = Math.floor(x), fy = Math.floor(y), k = Math.floor(z), last = side - 1;
-    const u = x - fx, v = y - fy, w = z - k;
+    const fx = Math.floor(x), fy = Math.floor(y), k = Math.floor(z), u = x - fx, v = y - fy, w = z - k;
     const i = fx & last, i1 = (fx + 1) & last, j = (fy & last) * side, j1 = ((fy + 1) & last) * side;
-    let sun = 0, sky = 0;
-    for (let n = 0; n < 4; n++) {
-      const at = 3 * (((n & 2 ? j1 : j) + (n & 1 ? i1 : i)) * levels + k);
-      const weight = (n & 1 ? u : 1 - u) * (n & 2 ? v : 1 - v);
-      sun += weight * (light[at + 1] * (1 - w) + light[at + 4] * w);
-      sky += weight * (light[at + 2] * (1 - w) + light[at + 5] * w);
+    let sun = 0, alongSun = 0, sky = 0, alongSky = 0;
+    for (let n = 0; n < 8; n++) {
+      const at = READ * (((n & 2 ? j1 : j) + (n & 1 ? i1 : i)) * levels + k + (n >> 2));
+      const weight = (n & 1 ? u : 1 - u) * (n & 2 ? v : 1 - v) * (n & 4 ? w : 1 - w);
+      sun += weight * light[at];
+      alongSun += weight * (a * light[at + 1] + b * light[at + 2] + up * light[at + 3]);
+      sky += weight * light[at + 4];
+      alongSky += weight * (a * light[at + 5] + b * light[at + 6] + up * light[at + 7]);
     }
-    this.ofSun = sun * left;
-    this.ofSky = sky * left;
+    const forward = (3 * asymmetry) / (1 + asymmetry), ground = 4 - sky * left; // under both lights it is even
+    this.ofSun = Math.max(sun * left - forward * alongSun, 0) / FOUR_PI;
+    this.ofSky = Math.max(sky * left - forward * alongSky, 0) / FOUR_PI;
+    this.ofGround = Math.max(ground + forward * alongSky, 0) / FOUR_PI;
   }
 
-  /** Scaled optical depth from a place to the sun: a few steps through the field itself, and that of the cells beyond. */
+  /** Scaled optical depth from a place to the sun: a few steps through the field itself, and along the sun's rays beyond them. */
   private depthToSun(x: number, y: number, z: number, near: number): number {
-    const { cells, sun } = this.lit, { side, levels, dx, dz } = cells.grid;
+    const { cells, sun, beams } = this.lit;
     let total = 0, t = 0;
     for (let n = 0; n < 3; n++) {
       const ds = near * (0.5 + n), s = t + 0.5 * ds;
       total += cells.field.extinction(x + s * sun[0], y + s * sun[1], z + s * sun[2]) * ds;
       t += ds;
     }
-    z += t * sun[2];
-    if (z > cells.field.numbers.thickness) return total * cells.kept;
-    return total * cells.kept + between(this.depth, side, levels, (x + t * sun[0]) / dx - 0.5, (y + t * sun[1]) / dx - 0.5, z / dz - 0.5);
+    const high = z + t * sun[2];
+    return total * cells.kept + (high > cells.field.numbers.thickness ? 0 : beams.depth(x + t * sun[0], y + t * sun[1], high));
   }
 
   /** March toward a direction and fill `seen`, for irradiances of 1. */
   march(a: number, b: number, upward: number): Float64Array {
-    const { seen, lit } = this, { cells, sun } = lit, { field, gaps, kept, asymmetry, openToSun } = cells;
+    const { seen, lit } = this, { cells } = lit, { field, gaps, kept, asymmetry } = cells;
     const { side, levels, dx, dz } = cells.grid, { base, thickness, detail } = field.numbers;
     const up = Math.max(upward, 1e-4), curve = (1 - up * up) / (2 * EARTH), fine = 2 * detail, last = side - 1;
-    const cosine = a * sun[0] + b * sun[1] + up * sun[2], left = asymmetry / (1 + asymmetry);
     seen.fill(0);
     let s = distanceTo(base, up), through = 1, weight = 0, far = 0, wasCloud = false;
     const end = Math.min(distanceTo(base + thickness, up), FARTHEST);
@@ -100,23 +94,16 @@ export class Rays {
         z = middle * up + middle * middle * curve - base;
       }
       const depth = this.depthToSun(x, y, z, 2 * fine);
-      const turned = sigma * (1 - asymmetry), off = Math.min(0.5 * dx, 0.5 / turned), lowest = 0.5 * turned * dz;
-      const cx = x / dx - 0.5, cy = y / dx - 0.5, cz = z / dz - 0.5;
-      this.fluences(cx + (a * off) / dx, cy + (b * off) / dx, cz + (up * off) / dz, lowest);
-      const sun1 = this.ofSun, sky1 = this.ofSky;
-      this.fluences(cx - (a * off) / dx, cy - (b * off) / dx, cz - (up * off) / dz, lowest);
-      const sun0 = this.ofSun, sky0 = this.ofSky;
-      const way = left / (Math.max(turned, openToSun) * 2 * off);
-      const ahead = ((3 * left * left) / (1 - left)) * Math.min(turned / openToSun, 1) * Math.exp(-depth) * cosine;
+      this.radiances(x / dx - 0.5, y / dx - 0.5, z / dz - 0.5, a, b, up, 0.5 * sigma * (1 - asymmetry) * dz);
       let share = through * (1 - Math.exp(-sigma * kept * step));
       if (through - share < GONE) share = through;
       const place = Math.min(Math.log1p((depth - Math.log(through)) / FIRST) / STEP, DEPTHS - 1.000001), k = Math.floor(place);
       const once = share * Math.exp(-depth);
       seen[SEEN.once + k] += once * (1 - place + k);
       seen[SEEN.once + k + 1] += once * (place - k);
-      seen[SEEN.sun] += share * onward(sun0, sun1, way, ahead);
-      seen[SEEN.sky] += share * onward(sky0, sky1, way, 0);
-      seen[SEEN.ground] += share * onward(4 - sky0, 4 - sky1, way, 0);
+      seen[SEEN.sun] += share * this.ofSun;
+      seen[SEEN.sky] += share * this.ofSky;
+      seen[SEEN.ground] += share * this.ofGround;
       far += share * middle;
       weight += share;
       through -= share;

@@ -1,6 +1,7 @@
 /** The light of a clear sky at a field of cloud by wavelength, from its colours and its air. */
 
 import table from "../../data/clouds.json";
+import { heldRows } from "../../core/cubic";
 import { limited, type Vec3 } from "../../core/vector";
 import { upperSky, type UpperSky } from "./air/above";
 import type { FieldKind } from "./kinds";
@@ -71,10 +72,16 @@ function spectrumOf(xyz: Vec3): number[] {
   return WAVELENGTHS.map((_, w) => Math.max(0, amounts.reduce((total, amount, n) => total + amount * BASIS[n][w], 0)));
 }
 
-/** Rows (even in the root of the sine) at a place among them, 0..1. */
+/** Rows (even in the root of the sine) at a place among them, 0..1, by straight lines. */
 function rowAt(rows: readonly (readonly number[])[], place: number): number[] {
   const at = place * (rows.length - 1), k = Math.min(Math.floor(at), rows.length - 2);
   return rows[k].map((value, n) => value + (rows[k + 1][n] - value) * (at - k));
+}
+
+/** The same by cubics, for columns that are steep where the sun is low. */
+function curvedRowAt(rows: readonly (readonly number[])[], place: number): number[] {
+  const near = heldRows(rows.map((_, k) => k), place * (rows.length - 1));
+  return rows[0].map((_, n) => Math.max(0, near.reduce((total, [row, weight]) => total + weight * rows[row][n], 0)));
 }
 
 /** Optical depths of the air's constituents. */
@@ -90,16 +97,15 @@ function depthsOf({ turbidity, aerosol, ozone }: ClearColours): number[][] {
 export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
   const { sun, lux, strength, turbidity, aerosol } = clear, depths = depthsOf(clear);
   const beam = (columns: number[][], place: number): number[] => {
-    const [share, ...along] = rowAt(columns, place);
+    const [share, ...along] = curvedRowAt(columns, place);
     return WAVELENGTHS.map((_, w) => strength * share * Math.exp(-depthOf(along, depths, w)));
   };
   const [least, most] = table.standing;
   const there = beam(table.sunward[kind], Math.sqrt(limited((clear.elevation - least) / (most - least), 0, 1)));
   const below = beam(table.ground.map((columns) => [Number(lux > 0), ...columns]), Math.sqrt(Math.max(0, sun[2])));
   const gases = lux > 0 ? lux / colourOf((w) => below[w])[1] : 1;
-  const scaled = (light: number[]): number[] => light.map((value) => value * gases);
   const mean = Array.from({ length: VIEWS }, (_, j) => spectrumOf(rowAt(clear.mean, j / (VIEWS - 1)) as unknown as Vec3));
   const haze = ((table.haze as Record<string, number[]>)[aerosol] ?? table.haze.usual) as [number, number];
   const upper = upperSky(kind, clear.elevation, turbidity, strength);
-  return { sun: scaled(there), below: scaled(below), sky: spectrumOf(clear.sky), mean, depths, haze, upper, albedo: clear.albedo };
+  return { sun: there, below: below.map((value) => value * gases), sky: spectrumOf(clear.sky), mean, depths, haze, upper, albedo: clear.albedo };
 }

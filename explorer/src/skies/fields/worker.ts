@@ -50,6 +50,15 @@ class Last<T> {
 
 const textures = new Last<Texture>(), fields = new Last<Field>(), coarse = new Last<Cells>(), fine = new Last<Cells>(), laws = new Last<Float32Array>();
 
+/** The end of a work with pauses; null where something else is asked meanwhile. */
+async function done<T>(asked: Asked, work: Generator<void, T>): Promise<T | null> {
+  for (;;) {
+    const step = work.next();
+    if (step.done) return step.value;
+    if (await overtaken(asked)) return null;
+  }
+}
+
 const pause = (): Promise<void> => new Promise((done) => setTimeout(done));
 
 /** Whether something else is asked by now. */
@@ -74,8 +83,8 @@ async function answer(asked: Asked): Promise<void> {
 async function drawn(asked: Asked, cells: Cells, sizes: number[][], last: boolean): Promise<boolean> {
   if (await overtaken(asked)) return true;
   const { kind, moving } = asked;
-  const lit = cells.under(heldUp(asked.clear.sun), moving);
-  if (await overtaken(asked)) return true;
+  const lit = await done(asked, cells.under(heldUp(asked.clear.sun), moving));
+  if (!lit || (await overtaken(asked))) return true;
   const clear = clearLight(asked.clear, kind), phases = asked.phases[cells.field.numbers.particles];
   // its colours change little with the sun: while that moves, the law of before serves
   const law = laws.of(moving && laws.key.startsWith(kind) ? laws.key : kind + clear.sun.join(), () => seemingLaw(kind, clear, phases));
