@@ -86,11 +86,14 @@ def gases_leave(air: Atmosphere, height: float, sun: float) -> float:
 
 
 def above(kind: CloudKind, sun: float, turbidity: float, mirrored: float = 0.0) -> np.ndarray:
-    """The sky on the top of a kind's field that sends a share `mirrored` of it and the sun back, irradiance over the sun's
-    above the air, and the share of it that thick cloud has of even light, (2, NODES).
+    """The sky on the top of a kind's field that sends a share `mirrored` of it and the sun back, irradiance over the
+    sun's above the air, and the share of it that thick cloud has of even light, (2, NODES).
     """
     made = model_named("physical").make(direction(0.0, np.radians(sun)), {"turbidity": turbidity})
-    clear, top = PhysicalSky(made.toward, replace(made.atmosphere, gases=None), check="clamp"), kind.base + kind.thickness
+    clear, top = (
+        PhysicalSky(made.toward, replace(made.atmosphere, gases=None), check="clamp"),
+        kind.base + kind.thickness,
+    )
     beam = beam_at(clear.atmosphere, top, max(float(made.toward[2]), 0.0))
     sky = skylight(clear, top, NODES, beam, np.full(NODES.shape, mirrored))
     return np.stack([sky.whole / clear.atmosphere.sun_at(NODES), sky.thick / sky.whole])
@@ -148,8 +151,20 @@ def table() -> dict[str, Any]:
         "closed": field.CLOSED,
         "lowest": low_sun.LOWEST,
         "farthest": lit_field.FARTHEST,
-        "diffusion": {"sweeps": diffusion.SWEEPS, "fewest": diffusion.FEWEST, "smeared": diffusion.SMEARED},
-        "ordinates": {"change": ordinates.CHANGE, "most": ordinates.MOST, "thin": ordinates.THIN, "slants": slants()},
+        "diffusion": {
+            "sweeps": diffusion.SWEEPS,
+            "nothing": float(f"{diffusion.NOTHING:.3g}"),
+            "smeared": diffusion.SMEARED,
+        },
+        "ordinates": {
+            "change": ordinates.CHANGE,
+            "wideChange": ordinates.WIDE_CHANGE,
+            "most": ordinates.MOST,
+            "narrowest": ordinates.NARROWEST,
+            "thin": ordinates.THIN,
+            "least": ordinates.LEAST,
+            "slants": slants(),
+        },
         "beams": {"fine": lit_field.FINE, "most": lit_field.MOST_LEVELS, "least": lit_field.LEAST},
         "widths": lit_field.WIDTHS.tolist(),
         "gone": march_kernel.GONE,

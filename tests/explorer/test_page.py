@@ -100,9 +100,9 @@ def test_its_clouds_are_the_commands_in_the_same_places(opened, tmp_path, monkey
     error = np.abs(found / wanted - 1)
     told = np.median(error), np.quantile(error, 0.8), np.corrcoef(found[..., 1].ravel(), wanted[..., 1].ravel())[0, 1]
     print(f"page over command: median {told[0]:.3f}, four fifths within {told[1]:.3f}, correlation {told[2]:.3f}")
-    assert told[0] < 0.1  # the page lights cloud and the air below it by the former form
-    assert told[1] < 0.25
-    assert told[2] > 0.95
+    assert told[0] < 0.01
+    assert told[1] < 0.04  # edges of clouds, which the map blurs
+    assert told[2] > 0.96
     monkeypatch.chdir(tmp_path)
     exec(page.ask("explorer.words")["python"].replace("height=1024", "height=32"), {})
     np.testing.assert_allclose(exr.read(tmp_path / "sky.exr")[0][:16], wanted, rtol=1e-3)
@@ -116,7 +116,7 @@ def test_its_clouds_have_the_commands_light_under_a_low_sun(opened, tmp_path):
     rings = np.sin((np.arange(16) + 0.5) / 32 * np.pi)[:, None]
     told = [np.sum((found * rings)[rows]) / np.sum((wanted * rings)[rows]) for rows in (slice(8), slice(8, 16))]
     print(f"page over command: above 45 degrees {told[0]:.3f}, below {told[1]:.3f}")
-    assert np.abs(np.array(told) - 1).max() < 0.2
+    assert np.abs(np.array(told) - 1).max() < 0.02
 
 
 def test_its_lowest_sun_stands_behind_a_whole_cover(opened):

@@ -9,8 +9,6 @@ import type { Grid } from "./transport/diffusion";
 import { Ordinates, type Light } from "./transport/ordinates";
 
 const { lowest: LOWEST, widths: WIDTHS } = table;
-/** Steps that bring light near to what it is under a sun not far away. */
-const FEW = 2;
 /** Numbers of each cell that rays of the eye read. */
 export const READ = 8;
 
@@ -34,7 +32,6 @@ export class Cells {
   /** Scaled extinction, m-1, (up, north, east). */
   private readonly sigma: Float32Array;
   private ofSky: Light | null = null;
-  private last: Light | null = null;
 
   constructor(readonly field: Field, side: number) {
     const { period, thickness, levels, asymmetry } = field.numbers, plane = side * side;
@@ -56,8 +53,8 @@ export class Cells {
     this.ordinates = new Ordinates(this.grid, this.sigma, asymmetry / (1 + asymmetry), seen);
   }
 
-  /** The same under a sun, with pauses; `moving`: that stands near to the one before, by few steps. */
-  *under(sun: Vec3, moving = false): Generator<void, Lit> {
+  /** The same under a sun, with pauses. */
+  *under(sun: Vec3): Generator<void, Lit> {
     this.ofSky ??= yield* this.ordinates.found(null, 1);
     const beams = new Beams(this.field, sun, this.kept, this.gaps, this.grid), { met } = beams;
     yield;
@@ -65,8 +62,7 @@ export class Cells {
     for (let n = 0; n < met.length; n++) meets += (met[n] * this.sigma[n]) / met.length;
     const scale = (sun[2] * (1 - beams.straight(sun[2]))) / Math.max(meets * this.field.numbers.thickness, 1e-30); // what is lost is scattered
     const first = this.ordinates.beam(met.map((value) => value * scale), sun);
-    this.last = yield* moving && this.last ? this.ordinates.found(first, 0, this.last, FEW) : this.ordinates.found(first, 0);
-    return new Lit(this, sun, beams, this.last, this.ofSky);
+    return new Lit(this, sun, beams, yield* this.ordinates.found(first, 0), this.ofSky);
   }
 }
 

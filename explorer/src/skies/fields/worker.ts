@@ -83,7 +83,7 @@ async function answer(asked: Asked): Promise<void> {
 async function drawn(asked: Asked, cells: Cells, sizes: number[][], last: boolean): Promise<boolean> {
   if (await overtaken(asked)) return true;
   const { kind, moving } = asked;
-  const lit = await done(asked, cells.under(heldUp(asked.clear.sun), moving));
+  const lit = await done(asked, cells.under(heldUp(asked.clear.sun)));
   if (!lit || (await overtaken(asked))) return true;
   const clear = clearLight(asked.clear, kind), phases = asked.phases[cells.field.numbers.particles];
   // its colours change little with the sun: while that moves, the law of before serves

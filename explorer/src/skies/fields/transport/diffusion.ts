@@ -6,7 +6,7 @@
 
 import table from "../../../data/clouds.json";
 
-const { sweeps: SWEEPS, fewest: FEWEST, smeared: SMEARED } = table.diffusion;
+const { sweeps: SWEEPS, nothing: NOTHING, smeared: SMEARED } = table.diffusion;
 
 /** A grid of `side` x `side` columns. */
 export interface Grid {
@@ -58,7 +58,11 @@ export class Diffusion {
   /** Diffusivity, m, from level to level and on one. */
   constructor(private readonly grid: Grid, upward: Float32Array, level: Float32Array) {
     const { side, levels, dx } = grid, count = upward.length;
-    this.coarser = side <= FEWEST ? null : new Diffusion({ ...grid, side: side / 2, dx: 2 * dx }, paired(upward, side, levels), paired(level, side, levels));
+    this.coarser = null; // one column, from which nothing goes to its sides, has none
+    if (side > 1) {
+      const wide = paired(level, side, levels), lost = side > 2 ? 1 : NOTHING;
+      this.coarser = new Diffusion({ ...grid, side: side / 2, dx: 2 * dx }, paired(upward, side, levels), wide.map((value) => value * lost));
+    }
     [this.east, this.north, this.above, this.overLost, this.below] = [0, 1, 2, 3, 4].map(() => new Float32Array(count)) as unknown as Float32Array[];
     this.column = new Float32Array(side * levels);
     this.join(level, 1 / (dx * dx));
@@ -67,8 +71,8 @@ export class Diffusion {
 
   /** By transport extinction above 0, m-1. */
   static of(grid: Grid, extinction: Float32Array): Diffusion {
-    const upward = extinction.map((value) => 1 / (3 * value));
-    return new Diffusion(grid, upward, upward.map((value) => Math.hypot(value, SMEARED * grid.dx)));
+    const along = (step: number): Float32Array => extinction.map((value) => Math.hypot(1 / (3 * value), SMEARED * step));
+    return new Diffusion(grid, along(grid.dz), along(grid.dx));
   }
 
   private join(level: Float32Array, across: number): void {

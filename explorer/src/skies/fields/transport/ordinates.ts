@@ -2,13 +2,14 @@
  *
  * A second form of the package's `Ordinates` and its kernel, of cloud that absorbs nothing: rays go from cell to cell, straight up or
  * down a cell over as long a way as their slant has, then over to the nearest cell of where they come out. Directions come in fours.
+ * Steps begin with what cells twice as wide have.
  */
 
 import table from "../../../data/clouds.json";
 import type { Vec3 } from "../../../core/vector";
-import { Diffusion, type Grid } from "./diffusion";
+import { Diffusion, doubled, paired, type Grid } from "./diffusion";
 
-const { change: CHANGE, most: MOST, thin: THIN } = table.ordinates;
+const { change: CHANGE, wideChange: WIDE_CHANGE, most: MOST, narrowest: NARROWEST, thin: THIN, least: LEAST } = table.ordinates;
 const [SINES, SHARES] = table.ordinates.slants;
 const SLANTS = SINES.length, FOUR_PI = 4 * Math.PI;
 
@@ -66,10 +67,12 @@ export class Ordinates {
   /** Columns of the cells that are looked at, row by row, and where each row of each level begins among them. */
   private readonly columns: Int16Array;
   private readonly begins: Int32Array;
+  /** By cells twice as wide; null where these are the widest. */
+  private readonly wider: Ordinates | null;
 
   /** Through cells of scaled extinction, m-1, (up, north, east), that scatter with a mean cosine of `asymmetry`; light is wanted
    *  in those `seen` alone, all that hold cloud and those beside: through others rays go as they are. */
-  constructor(readonly grid: Grid, private readonly sigma: Float32Array, private readonly asymmetry: number, seen: Uint8Array) {
+  constructor(readonly grid: Grid, private readonly sigma: Float32Array, private readonly asymmetry: number, private readonly seen: Uint8Array) {
     const { side, levels, dz } = grid, openAir = 1 / (dz * levels);
     const slants = SINES.map((sine) => slantOf(sine, grid, sigma));
     this.ways = Array.from({ length: 2 * SLANTS }, (_, n) => wayOf(n, slants[n % SLANTS], grid));
@@ -80,6 +83,9 @@ export class Ordinates {
       for (let i = 0; i < side; i++) if (seen[row * side + i]) this.columns[n++] = i;
       this.begins[row + 1] = n;
     }
+    const wide = { ...grid, side: side / 2, dx: 2 * grid.dx };
+    const beside = side > NARROWEST ? Uint8Array.from(paired(Float32Array.from(seen), side, levels), (value) => Number(value > 0)) : null;
+    this.wider = beside && new Ordinates(wide, paired(sigma, side, levels), asymmetry, beside);
     this.diffusion = Diffusion.of(grid, sigma.map((value) => Math.max((1 - asymmetry) * value, openAir)));
   }
 
@@ -88,27 +94,46 @@ export class Ordinates {
     return [1, ...sun.map((part) => -3 * this.asymmetry * part)].map((share) => light.map((value) => (share * value) / FOUR_PI));
   }
 
-  /** Light where cells send `first` besides what they scatter, and a flux comes in from above; from a guess on, by `steps` at most,
-   *  and a pause after each. */
-  *found(first: Float32Array[] | null, above: number, guess: Light | null = null, steps = MOST): Generator<void, Light> {
-    let light = guess?.parts ?? [0, 1, 2, 3].map(() => new Float32Array(this.sigma.length)), down = 0;
-    for (let step = 0; step < steps; step++) {
-      const next = this.swept(light, first, above / Math.PI), [fluence] = next.parts;
-      const changed = new Float32Array(fluence.length);
-      for (let n = 0; n < changed.length; n++) changed[n] = (fluence[n] - light[0][n]) * this.sigma[n];
+  /** Light where cells send `first` besides what they scatter, and a flux comes in from above; with a pause after each step. */
+  *found(first: Float32Array[] | null, above: number): Generator<void, Light> {
+    let light = yield* this.begun(first, above), down = 0;
+    const enough = this.wider ? CHANGE : WIDE_CHANGE, count = this.sigma.length;
+    for (let step = 0; step < MOST; step++) {
+      const next = this.swept(light, first, above / Math.PI), [fluence] = next.parts, [before] = light;
+      const changed = new Float32Array(count);
+      for (let n = 0; n < count; n++) changed[n] = (fluence[n] - before[n]) * this.sigma[n];
       const more = this.diffusion.fluence(changed);
       let change = 0, whole = 0;
-      for (let n = 0; n < fluence.length; n++) {
+      for (let n = 0; n < count; n++) {
+        if (!this.seen[n]) continue;
         fluence[n] += more[n];
-        change += Math.abs(fluence[n] - light[0][n]);
-        whole += light[0][n];
+        change += Math.abs(fluence[n] - before[n]);
+        whole += fluence[n];
       }
       [light, down] = [next.parts, next.down];
-      if (change < CHANGE * whole) break;
+      if (change < enough * whole) break;
       yield;
     }
-    for (let n = 0; n < light[0].length; n++) light[0][n] = Math.max(light[0][n], 0);
+    for (let n = 0; n < count; n++) light[0][n] = Math.max(light[0][n], 0);
     return { parts: light, down };
+  }
+
+  /** What cells twice as wide have, nothing where these are the widest. */
+  private *begun(first: Float32Array[] | null, above: number): Generator<void, Float32Array[]> {
+    const { wider, grid: { side, levels } } = this;
+    if (!wider) return [0, 1, 2, 3].map(() => new Float32Array(this.sigma.length));
+    const { parts } = yield* wider.found(first && this.ofWider(wider, first), above);
+    return parts.map((part) => doubled(part, side / 2, levels));
+  }
+
+  /** What cells twice as wide send where these send `first`. */
+  private ofWider(wider: Ordinates, first: Float32Array[]): Float32Array[] {
+    const { side, levels } = this.grid;
+    return first.map((part) => {
+      const met = new Float32Array(part.length);
+      for (let n = 0; n < met.length; n++) met[n] = this.sigma[n] * part[n];
+      return paired(met, side, levels).map((value, n) => value / Math.max(wider.sigma[n], LEAST));
+    });
   }
 
   /** Fluence and flux by one sweep along all directions. */
