@@ -75,6 +75,21 @@ def test_two_streams_lose_nothing_and_know_the_deep_cloud() -> None:
     assert np.all(absorbing.through + absorbing.back < 0.85)
 
 
+@pytest.mark.parametrize(("ratio", "off"), [(0.5, 1e-6), (0.9, 1e-6), (0.969, 1e-6), (1.0, 0.05), (1.02, 0.08)])
+def test_two_streams_where_the_beam_dies_as_fast_as_diffuse_light(ratio: float, off: float) -> None:
+    """Their equations stepped from top to bottom; nearer than .97 to where the formula is 0 / 0 it is that at .97."""
+    cosine, depth = 0.8, 1.5
+    w = 1 - (ratio / cosine) ** 2 / 3
+    numbers = LayerOptics(*([np.zeros(1)] * 3), *(np.array([v]) for v in (depth, w, 0.0, 0.0, 0.0, 1000.0, 500.0)))
+    ahead, back, beam = (7 - 4 * w) / 4, (4 * w - 1) / 4, w / 2 / cosine
+    steps = 1 << 14
+    change = np.array([[ahead, -back, -beam], [back, -ahead, beam], [0.0, 0.0, -1 / cosine]]) * (depth / steps)
+    whole = np.linalg.matrix_power(np.eye(3) + change + change @ change / 2, steps)  # of light up, down, beam
+    up = -whole[0, 2] / whole[0, 0]
+    known = whole[1, 0] * up + whole[1, 2]
+    assert streams(numbers, np.array([cosine])).spread[0] == pytest.approx(known, rel=off)
+
+
 @pytest.mark.parametrize("depth", [20.0, 40.0])
 def test_the_horizon_is_as_dark_beside_the_zenith_as_discrete_ordinates_have_it(depth: float) -> None:
     sky = sd.OvercastSky(SUN, depth, albedo=0.2)

@@ -22,9 +22,9 @@ def level(greatest):
     return Ordinates(np.full((16, 16, 32), greatest, np.float32), (125.0, 40.0), 0.46)
 
 
-@pytest.mark.parametrize("greatest", [0.01, 0.1, 0.5])
+@pytest.mark.parametrize("greatest", [0.01, 0.1, 0.5, 2.0])
 def test_no_light_is_lost(greatest):
-    """In heaps from thin to dense, what goes in comes out below and above."""
+    """In heaps from thin to the densest, cells of a depth of 80, what goes in comes out below and above."""
     o = cells(greatest)
     light, out = o.found(None, 1.0, 0.0)
     assert sum(out) == pytest.approx(1.0, abs=0.01)

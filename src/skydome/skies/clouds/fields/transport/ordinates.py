@@ -172,7 +172,7 @@ class Ordinates:
         if first is not None:
             sent += first
         groups = np.arange(2 * SLANTS).reshape(2, SLANTS, 1) + np.array([0, 1])
-        out, scratch = np.zeros_like(light), np.empty((9, light.shape[3]), np.float32)
+        out, scratch = np.zeros_like(light), np.empty((10, light.shape[3]), np.float32)
         cells, rays = (self.sigma, self.met, self.bent, sent), (self.directions, groups, self.counts, self.longs)
         swept(*cells, *rays, self.hops, entering, ray, scratch, out)
         return out

@@ -78,51 +78,62 @@ def times(values, more, share, out):
 
 
 @row
+def copied(values, out):
+    """As they are."""
+    for i in range(out.size):
+        out[i] = values[i]
+
+
+@row
+def rolled(values, by, out):
+    """A row of cells moved on by some, around."""
+    last = values.size - by
+    copied(values[:last], out[by:])
+    if by > 0:
+        copied(values[last:], out[:by])
+
+
+@row
+def sending(way, sent, k, j, scratch):
+    """What a row of cells sends along four directions: alike, and more one way than the other of two."""
+    based(scratch[4], sent[0, k, j], sent[3, k, j], way[2])
+    turned(scratch[5], scratch[6], sent[1, k, j], sent[2, k, j], way[0], way[1])
+
+
+@row
+def carried(light, x, quarter, met, sigma, long, scratch):
+    """Carry a row of rays through the cells that lie `x` to the east of where they began."""
+    here, more, way = scratch[9], scratch[5 + (quarter & 1)], np.float32(1 - (quarter & 2))
+    rolled(light, x, here)
+    crossed(here, scratch[4], more, way, met, sigma, scratch[7], long, scratch[quarter])
+    rolled(here, light.size - x, light)
+
+
+@row
+def told(way, k, j, scratch, out):
+    """Add the light of four directions to fluence and flux of a row of cells."""
+    a, b, c, weight = way[0], way[1], way[2], way[3]
+    summed(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4], scratch[5], scratch[6])
+    add(out[0, k, j], weight, scratch[4])
+    add(out[3, k, j], weight * c, scratch[4])
+    add_both(out[1, k, j], weight * a, scratch[5], -weight * b, scratch[6])
+    add_both(out[2, k, j], weight * b, scratch[5], weight * a, scratch[6])
+
+
+@row
 def through_level(k, steps, here, sign, ray, sigma, met, bent, sent, directions, scratch, out):
     """Carry rays `here` = (first, last, place, steps in a level, length) through a level of cells."""
     first, last, place, count, long = here
-    rows, columns = sigma.shape[1:]
-    rising = scratch[7]
-    for j in range(rows):
+    for j in range(sigma.shape[1]):
         slopes(sign, sent, k, j, scratch[8])
-        times(bent[k, j], scratch[8], np.float32(1.0 / count), rising)
+        times(bent[k, j], scratch[8], np.float32(1.0 / count), scratch[7])
         for n in range(first, last):
-            a, b, c, weight = directions[n, 0], directions[n, 1], directions[n, 2], directions[n, 3]
-            based(scratch[4], sent[0, k, j], sent[3, k, j], c)
-            turned(scratch[5], scratch[6], sent[1, k, j], sent[2, k, j], a, b)
+            sending(directions[n], sent, k, j, scratch)
             for quarter in range(4):
                 x, y = steps[n, quarter, place, 0], steps[n, quarter, place, 1]
-                light, r = ray[n, quarter], (j - y) & (rows - 1)
-                more, way = scratch[5 + (quarter & 1)], np.float32(1 - (quarter & 2))
-                left = columns - x
-                crossed(
-                    light[r, :left],
-                    scratch[4, x:],
-                    more[x:],
-                    way,
-                    met[k, j, x:],
-                    sigma[k, j, x:],
-                    rising[x:],
-                    long,
-                    scratch[quarter, x:],
-                )
-                if x > 0:
-                    crossed(
-                        light[r, left:],
-                        scratch[4, :x],
-                        more[:x],
-                        way,
-                        met[k, j, :x],
-                        sigma[k, j, :x],
-                        rising[:x],
-                        long,
-                        scratch[quarter, :x],
-                    )
-            summed(scratch[0], scratch[1], scratch[2], scratch[3], scratch[4], scratch[5], scratch[6])
-            add(out[0, k, j], weight, scratch[4])
-            add(out[3, k, j], weight * c, scratch[4])
-            add_both(out[1, k, j], weight * a, scratch[5], -weight * b, scratch[6])
-            add_both(out[2, k, j], weight * b, scratch[5], weight * a, scratch[6])
+                light = ray[n, quarter, (j - y) & (sigma.shape[1] - 1)]
+                carried(light, x, quarter, met[k, j], sigma[k, j], long, scratch)
+            told(directions[n], k, j, scratch, out)
 
 
 @compiled
@@ -131,6 +142,7 @@ def swept(sigma, met, bent, sent, directions, groups, counts, longs, steps, ente
 
     `groups` (2, polars, 2): which directions go down and up at each slant, `counts` (polars,) steps in a level,
     of lengths `longs`; `entering` (2,): radiance from above and from below. `met`, `bent` (polars, up, north, east).
+    `scratch` (10, east): light of four directions, what cells send (three rows), how it grows (two), rays moved.
     """
     levels = sigma.shape[0]
     for side in range(2):
