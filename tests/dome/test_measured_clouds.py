@@ -22,6 +22,13 @@ class Coarse(sd.Cumulus):
     count, levels = 64, 16
 
 
+@dataclass(frozen=True)
+class CoarseCirrus(sd.Cirrus):
+    """The same of cirrus."""
+
+    count, levels = 64, 8
+
+
 FIELD = sd.CloudField(Coarse(), seed=7, wind=(6.0, 2.0))
 
 
@@ -36,6 +43,13 @@ def test_light_is_that_measured(high, dni, dhi):
     assert light.diffuse_horizontal == pytest.approx(dhi, rel=0.003)
     assert 0.9 < found.diffuse_factor < 1.1
     assert 0.9 < found.direct_factor < 1.1
+
+
+def test_thin_cirrus_that_cannot_hide_the_sun_is_passed_over_for_thicker():
+    """Thin covers bar the way from few streaks to a whole cover: the light lies beyond, not in a clear sky."""
+    found = sd.clouds_for(420.0, 210.0, SUN, sd.CloudField(CoarseCirrus(), seed=7))
+    assert found.field.cover == 1.0
+    assert 0.97 < found.diffuse_factor < 1.03
 
 
 @pytest.mark.parametrize(

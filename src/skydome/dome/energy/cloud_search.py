@@ -38,6 +38,8 @@ class Search:
     clear: Clear
     start: CloudField
     found: tuple[Step, ...] = ()
+    barred: tuple[float, ...] = ()
+    """Places whose field cannot hide the sun so far."""
 
     @property
     def sun(self) -> np.ndarray:
@@ -59,10 +61,10 @@ class Search:
         return leaving(on_course(self.start, place), self.share, self.sun)
 
     def tried(self, place: float) -> Self:
-        """With one more place tried; the same where the field there cannot hide the sun so far."""
+        """With one more place tried, or barred where the field there cannot hide the sun so far."""
         field = self.field_at(place)
         if field.cover > 0 and share_left(field, self.sun, None) > max(1.05 * self.share, SEEN):
-            return self
+            return replace(self, barred=(*self.barred, place))
         more = Step(place, field, self.measure.behind(field))
         return replace(self, found=tuple(sorted((*self.found, more), key=lambda each: each.place)))
 
@@ -76,9 +78,13 @@ class Search:
         return min(self.found, key=lambda each: abs(self.off(each)))
 
     def pair(self) -> tuple[Step, Step] | None:
-        """Neighbours between which the irradiance lies."""
+        """Neighbours between which the irradiance lies, such first as have no barred place between them."""
         both = zip(self.found[:-1], self.found[1:], strict=True)
-        return next(((a, b) for a, b in both if self.off(a) * self.off(b) <= 0), None)
+        return min(((a, b) for a, b in both if self.off(a) * self.off(b) <= 0), key=self.is_barred, default=None)
+
+    def is_barred(self, pair: tuple[Step, Step]) -> bool:
+        """Whether a barred place lies between neighbours."""
+        return any(pair[0].place < place < pair[1].place for place in self.barred)
 
     def outward(self, first: float | None = None) -> Self:
         """With knots tried from a likely one, or the first, outward, until two hold the light between them."""
@@ -91,9 +97,10 @@ class Search:
             for knot in sorted({middle - step, middle + step}):
                 if 1 <= knot <= self.last:
                     search = search.tried(float(knot))
-            if search.pair() is not None:
-                return search.between()
-        return search
+            both = search.pair()
+            if both is not None and not search.is_barred(both):
+                break
+        return search.between()
 
     def between(self) -> Self:
         """With places tried between those two."""
