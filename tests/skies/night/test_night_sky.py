@@ -316,7 +316,7 @@ def test_clouds_by_day_and_night():
         (1.0, r"must lie in \[5"),
         (61.0, r"must lie in \[5, 60\]"),
         (-1.0, r"must lie in \[5"),
-        ("thick", "must be of kind"),
+        ("thick", r"as sd.CloudField\(sd.Cumulus\(\)\), the optical depth 20.0"),
     ):
         with pytest.raises((ValueError, TypeError), match=words):
             sd.sky_at(PLACE, FULL, clouds=wrong)

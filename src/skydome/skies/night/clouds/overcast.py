@@ -52,7 +52,7 @@ def cloud_of(given: Any) -> Cloud | None:
     if given is None or isinstance(given, Cloud):
         cloud = given
     else:
-        require_kind(given, Real, "clouds", "an optical depth such as 20.0, or sd.Cloud(20.0)")
+        require_kind(given, Real, "clouds", "sd.CloudField(sd.Cumulus()), the optical depth 20.0, or sd.Cloud(20.0)")
         require("optical depth of clouds", float(given), OVERCAST)
         cloud = Cloud(float(given))
     if cloud is not None:
