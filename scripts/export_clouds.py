@@ -184,6 +184,7 @@ def table() -> dict[str, Any]:
         "rayleigh": float(rayleigh_depth([550.0])[0]),
         "molecules": plain(rayleigh_depth(NODES)),
         "ozone": plain(ozone.depth(NODES) / ozone.column, 5),
+        "usualOzone": ozone.column,
         "angstrom": {name: kind.angstrom for name, kind in KINDS.items()},
         "background": [BACKGROUND_DEPTH, background().angstrom],
         "between": {name: plain(each[0], 4) for name, each in columns.items()},

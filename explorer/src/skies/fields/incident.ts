@@ -33,7 +33,7 @@ class Wave {
 
   constructor(lit: Lit, kind: FieldKind, { sun, below, sky, depths, haze, upper, albedo }: ClearLight, private direct: number, w: number) {
     const { shares, ofSun } = lit, high = lit.sun[2], down = below[w] * high + sky[w];
-    this.lower = new LowerAir(table.lower[kind].map((column, k) => column * depths[k][w]), ...haze);
+    this.lower = new LowerAir(table.lower[kind].map((column, k) => column * depths[k][w]), haze.albedo, haze.g);
     const [upon, thick] = skylight(upper, w, sun[w] * high, seenFromAbove(shares, albedo));
     [this.upon, this.ground, this.open] = [upon, albedo * down, shares.open];
     this.fieldSky = thick + (upon - thick) * shares.open;

@@ -35,8 +35,7 @@ export interface ClearLight {
   mean: number[][];
   /** Vertical optical depths of molecules, haze near the ground, ozone and haze of the stratosphere. */
   depths: number[][];
-  /** Share that the haze near the ground scatters, and its lobe's g. */
-  haze: [number, number];
+  haze: HazeLaw;
   /** The sky above the field. */
   upper: UpperSky;
   albedo: number;
@@ -84,28 +83,40 @@ function curvedRowAt(rows: readonly (readonly number[])[], place: number): numbe
   return rows[0].map((_, n) => Math.max(0, near.reduce((total, [row, weight]) => total + weight * rows[row][n], 0)));
 }
 
+/** Haze near the ground: the share that it scatters, its lobe's g, and its exponent. */
+interface HazeLaw {
+  albedo: number;
+  g: number;
+  angstrom: number;
+}
+
+/** An aerosol's. */
+function hazeOf(aerosol: string): HazeLaw {
+  const [albedo, g] = (table.haze as Record<string, number[]>)[aerosol] ?? table.haze.usual;
+  return { albedo, g, angstrom: (table.angstrom as Record<string, number>)[aerosol] ?? table.angstrom.usual };
+}
+
+const USUAL = hazeOf("usual");
+
 /** Optical depths of the air's constituents. */
 function depthsOf({ turbidity, aerosol, ozone }: ClearColours): number[][] {
   const whole = (turbidity - 1) * table.rayleigh;
   const high = Math.min(whole, table.background[0]);
   const along = (depth: number, exponent: number): number[] => WAVELENGTHS.map((length) => depth * (length / 550) ** -exponent);
-  const exponent = (table.angstrom as Record<string, number>)[aerosol] ?? table.angstrom.usual;
-  return [table.molecules, along(whole - high, exponent), table.ozone.map((each) => each * ozone), along(high, table.background[1])];
+  return [table.molecules, along(whole - high, hazeOf(aerosol).angstrom), table.ozone.map((each) => each * ozone), along(high, table.background[1])];
 }
 
 /** The light of a clear sky at a kind's field. */
 export function clearLight(clear: ClearColours, kind: FieldKind): ClearLight {
-  const { sun, lux, strength, turbidity, aerosol } = clear, depths = depthsOf(clear);
-  const beam = (columns: number[][], place: number): number[] => {
-    const [share, ...along] = curvedRowAt(columns, place);
-    return WAVELENGTHS.map((_, w) => strength * share * Math.exp(-depthOf(along, depths, w)));
-  };
+  const { sun, lux, strength, ozone, turbidity, elevation } = clear, depths = depthsOf(clear), haze = hazeOf(clear.aerosol);
+  const beam = ([share, ...along]: number[]): number[] => WAVELENGTHS.map((_, w) => strength * share * Math.exp(-depthOf(along, depths, w)));
   const [least, most] = table.standing;
-  const there = beam(table.sunward[kind], Math.sqrt(limited((clear.elevation - least) / (most - least), 0, 1)));
-  const below = beam(table.ground.map((columns) => [Number(lux > 0), ...columns]), Math.sqrt(Math.max(0, sun[2])));
+  const sunward = curvedRowAt(table.sunward[kind], Math.sqrt(limited((elevation - least) / (most - least), 0, 1)));
+  const below = beam([Number(lux > 0), ...curvedRowAt(table.ground, Math.sqrt(Math.max(0, sun[2])))]);
   const gases = lux > 0 ? lux / colourOf((w) => below[w])[1] : 1;
+  const turbidities = WAVELENGTHS.map((length) => 1 + ((turbidity - 1) * (length / 550) ** (USUAL.angstrom - haze.angstrom) * haze.albedo) / USUAL.albedo);
+  const left = table.ozone.map((each) => Math.exp(-each * (ozone - table.usualOzone) * sunward[3]));
+  const upper = upperSky(kind, elevation, turbidities, left, strength);
   const mean = Array.from({ length: VIEWS }, (_, j) => spectrumOf(rowAt(clear.mean, j / (VIEWS - 1)) as unknown as Vec3));
-  const haze = ((table.haze as Record<string, number[]>)[aerosol] ?? table.haze.usual) as [number, number];
-  const upper = upperSky(kind, clear.elevation, turbidity, strength);
-  return { sun: there, below: below.map((value) => value * gases), sky: spectrumOf(clear.sky), mean, depths, haze, upper, albedo: clear.albedo };
+  return { sun: beam(sunward), below: below.map((value) => value * gases), sky: spectrumOf(clear.sky), mean, depths, haze, upper, albedo: clear.albedo };
 }

@@ -16,15 +16,16 @@ export interface UpperSky {
   back: number[];
 }
 
-/** The sky above a kind's field under a sun at a true elevation, degrees, and of a strength. */
-export function upperSky(kind: FieldKind, elevation: number, turbidity: number, strength: number): UpperSky {
+/** The sky above a kind's field under a sun at a true elevation, degrees, and of a strength, where haze scatters by wavelength as much
+ *  as the usual haze of these turbidities, and shares `left` pass what there is of ozone more than usual. */
+export function upperSky(kind: FieldKind, elevation: number, turbidities: number[], left: number[], strength: number): UpperSky {
   const { light, back } = table.above[kind];
-  const numbers = numbersOf(light), count = WAVELENGTHS.length, half = numbers.length / 2;
-  const hazes = heldRows(LOGS, Math.log(turbidity)), rows = crossed(hazes, heldRows(SUNS, elevation), SUNS.length);
-  const of = (from: number): number[] => WAVELENGTHS.map((_, w) => rows.reduce((total, [row, weight]) => total + weight * numbers[from + row * count + w], 0));
+  const numbers = numbersOf(light), count = WAVELENGTHS.length, half = numbers.length / 2, suns = heldRows(SUNS, elevation);
+  const hazes = turbidities.map((each) => heldRows(LOGS, Math.log(each))), rows = hazes.map((each) => crossed(each, suns, SUNS.length));
+  const of = (from: number): number[] => rows.map((each, w) => each.reduce((total, [row, weight]) => total + weight * numbers[from + row * count + w], 0));
   return {
-    light: of(0).map((log) => strength * Math.exp(log)), thick: of(half),
-    back: WAVELENGTHS.map((_, w) => hazes.reduce((total, [row, weight]) => total + weight * back[row][w], 0)),
+    light: of(0).map((log, w) => strength * left[w] * Math.exp(log)), thick: of(half),
+    back: hazes.map((each, w) => each.reduce((total, [row, weight]) => total + weight * back[row][w], 0)),
   };
 }
 
