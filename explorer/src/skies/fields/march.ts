@@ -116,14 +116,19 @@ export class Rays {
   }
 }
 
+/** Two unit vectors that make a right-handed frame with an axis, the package's. */
+function frame([x, y, z]: Vec3): [Vec3, Vec3] {
+  const u: Vec3 = z < 0.9 ? [-y, x, 0] : [0, -z, y], long = Math.hypot(...u);
+  const [a, b, c] = u.map((part) => part / long);
+  return [[a, b, c], [y * c - z * b, z * a - x * c, x * b - y * a]];
+}
+
 /** Share of the sun's light that a field lets straight through to the eye, over points of its disc. */
 export function sunShare(lit: Lit, seen: Vec3): number {
   const { field } = lit.cells, { base, thickness, detail } = field.numbers;
   if (seen[2] <= 0 || field.cover <= 0) return Number(seen[2] > 0);
   const sun = heldUp(seen);
-  const flat = Math.max(Math.hypot(sun[0], sun[1]), 1e-12);
-  const across = [sun[1] / flat, -sun[0] / flat, 0];
-  const upward = [(-sun[0] * sun[2]) / flat, (-sun[1] * sun[2]) / flat, flat];
+  const [across, upward] = frame(sun);
   let total = 0;
   for (let point = 0; point < table.points; point++) {
     const wide = Math.sqrt((point + 0.5) / table.points) * Math.tan(table.discRadius), turn = point * Math.PI * (3 - Math.sqrt(5));
