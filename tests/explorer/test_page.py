@@ -119,6 +119,14 @@ def test_its_clouds_have_the_commands_light_under_a_low_sun(opened, tmp_path):
     assert np.abs(np.array(told) - 1).max() < 0.02
 
 
+def test_its_clouds_leave_the_suns_disc_what_the_librarys_do(opened):
+    page = opened("?v=1&sun=200,15&model=physical&clouds=altocumulus&clouded=0.5&seed=2")
+    page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 0")
+    clear = model_named("physical").make(sd.direction(200 * sd.deg, 15 * sd.deg), {"turbidity": 3.0})
+    wanted = sd.CloudySky(clear, sd.CloudField(sd.Altocumulus(), cover=0.5, seed=2)).sun_share
+    assert page.ask("explorer.clouds.map.sun") == pytest.approx(wanted, rel=5e-3)
+
+
 def test_its_lowest_sun_stands_behind_a_whole_cover(opened):
     page = opened(f"{TURIN}&model=physical&sun=180,0.1&clouds=stratocumulus&clouded=1&seed=7")
     page.wait_for("document.getElementById('skydome-explorer').explorer.clouds.took.length > 0")
