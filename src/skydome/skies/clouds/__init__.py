@@ -7,6 +7,7 @@
 - overcast_network  The network, with a glow about the sun beside its shapes
 - layer_light     What the cloud scatters once, in closed form
 - held_overcast   Its colours in a table, for maps
+- doubling        What an even layer makes of light, all azimuths alike, exactly
 - passing         What the layer alone makes of light from any height, for the lights of the night
 - overcast_files  Its network in a file
 - blend           Skies between clear and overcast

@@ -9,7 +9,8 @@ from skydome.air.clouds.cloud import Cloud
 from skydome.ground.directions import ZENITH
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.night.clouds.behind_field import behind, lit_by
-from skydome.skies.night.clouds.overcast import cloud_of, under
+from skydome.skies.night.clouds.layer_in_air import LayerInAir
+from skydome.skies.night.clouds.overcast import BANDS, cloud_of, under
 from skydome.skies.night.clouds.remembered import RememberedField
 
 Parts = dict[str, Any]
@@ -51,7 +52,8 @@ class OvercastAbove(Over):
 
     def before(self, parts: Parts, air: Atmosphere) -> Parts:
         """Each part's light spread."""
-        return {name: under(sky, self.cloud, air) for name, sky in parts.items()}
+        layer = LayerInAir(self.cloud, air, BANDS)
+        return {name: under(sky, layer) for name, sky in parts.items()}
 
 
 @dataclass(frozen=True)
