@@ -11,7 +11,7 @@ import numpy as np
 
 import skydome as sd
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.reference import laws_of, traced_through
+from skydome.skies.clouds.fields.reference import beam, laws_of, traced_through
 
 C, S, A, R = sd.Cumulus(), sd.Stratocumulus(), sd.Altocumulus(), sd.Cirrus()
 FIELDS = {
@@ -43,11 +43,11 @@ def views() -> np.ndarray:
 
 def traced(lit: LitField, rays: np.ndarray) -> np.ndarray:
     """Light of sun and sky on the cloud by paths, passes of it, (PASSES, TEXELS)."""
-    flat, one, none = np.ascontiguousarray(rays.reshape(-1, 3)), np.ones(1), np.zeros(1)
+    flat, lights = np.ascontiguousarray(rays.reshape(-1, 3)), beam(lit, [1.0])
     whole = np.full((5, 8, 1), SKYLIGHT / np.pi)
     found = []
     for number in range(PASSES):
-        of = traced_through(lit, laws_of(lit.scattering()), flat, (lit.sun, one, none, none), whole, PATHS, 1, number)
+        of = traced_through(lit, laws_of(lit.scattering()), flat, lights, whole, PATHS, 1, number)
         found.append((of[:, 0] + of[:, 1] * SKYLIGHT / np.pi).reshape(TEXELS, RAYS).mean(axis=1))
     return np.array(found)
 

@@ -15,7 +15,7 @@ import skydome as sd
 from skydome.air.phase_laws import HenyeyGreenstein
 from skydome.skies.clouds.fields.lit_field import LitField
 from skydome.skies.clouds.fields.medium_kernel import extinctions
-from skydome.skies.clouds.fields.reference import laws_of, traced_through
+from skydome.skies.clouds.fields.reference import beam, laws_of, traced_through
 from skydome.skies.clouds.fields.scattering import Scattering
 
 mi.set_variant("scalar_rgb")
@@ -47,7 +47,7 @@ def ours(field: sd.CloudField, sun: np.ndarray) -> np.ndarray:
     """Mean light of each picture element by passes of paths, each along rays of its own, (PASSES, SIDE, SIDE)."""
     lit = LitField.of(field, sun)
     law = Scattering.of(HenyeyGreenstein((LOBE,)), LOBE**2, [550.0], np.ones((1, 1)))
-    lights = (lit.sun, np.ones(1), np.zeros(1), np.zeros(1))
+    lights = beam(lit, [1.0])
     dark, found = np.zeros((5, 8, 1)), []
     for number in range(PASSES):
         of = traced_through(lit, laws_of(law), rays(number), lights, dark, RAYS // 2, 1, number)

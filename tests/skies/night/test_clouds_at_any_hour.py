@@ -91,9 +91,9 @@ def test_lights_share_what_is_seen_of_the_field(monkeypatch):
 def test_high_clouds_keep_the_sun_when_the_ground_has_lost_it():
     """From 9 km the horizon lies 3 degrees lower; light changes without a step through dusk."""
     low, high = slab(3.0), sd.CloudField(Slab(sd.Ice()), cover=1.0, base=9000.0, extinction=0.0005)
-    suns = [sd.direction(4.0, elevation * sd.deg) for elevation in (-2.8, -4.5)]
+    suns = [sd.direction(4.0, elevation * sd.deg) for elevation in (-2.8, -5.0, -8.0)]
     lit = [[lit_by(sd.PhysicalSky(sun), field) is not None for field in (low, high)] for sun in suns]
-    assert lit == [[False, True], [False, False]]
+    assert lit == [[True, True], [False, True], [False, False]]  # the farthest cloud in sight counts
     light = []
     for elevation in np.arange(-4.4, -3.0, 0.2):
         sky = sd.PhysicalSky(sd.direction(4.0, elevation * sd.deg))

@@ -12,9 +12,11 @@ from skydome.dome.energy.weighted import weights_of
 from skydome.ground.quadrature import hemisphere
 from skydome.ground.tables import columns
 from skydome.skies.all_air.sky import WAVELENGTHS, PhysicalSky
+from skydome.skies.clouds.fields.air.channels import Channels
 from skydome.skies.clouds.fields.field import CloudField
-from skydome.skies.clouds.fields.incident import Channels, Incident
+from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.low_sun import seen_from
 from skydome.skies.clouds.fields.sky import CloudySky
 from skydome.skies.suns.sun_disc import SunDisc
 
@@ -75,7 +77,7 @@ class Measure:
 
     def behind(self, field: CloudField) -> float:
         """The same with a field before it."""
-        return self.lit(LitField.of(field, self.sky.seen_sun, self.coarseness))
+        return self.lit(LitField.of(field, seen_from(self.sky, field.middle), self.coarseness))
 
     def lit(self, lit: LitField) -> float:
         """The same with a lit field."""

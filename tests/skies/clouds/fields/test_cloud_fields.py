@@ -12,11 +12,12 @@ from skydome.air.profiles import Tabulated
 from skydome.ground.limits.ranges import Range
 from skydome.ground.quadrature import hemisphere
 from skydome.skies.clouds.fields import noise
+from skydome.skies.clouds.fields.air.sunlight import SIDES
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.kinds import Slab
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.reference import laws_of, photon_shares, traced_through
+from skydome.skies.clouds.fields.reference import beam, laws_of, photon_shares, traced_through
 from skydome.skies.clouds.fields.scattering import ANGLES, DEPTHS, Scattering, grid
 from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.clouds.fields.thickening import Thickening
@@ -186,7 +187,8 @@ def test_paths_through_a_slab_meet_discrete_ordinates(albedo):
     field, profile = slab(3.0), Tabulated((999.5, 1000.5, 1999.5, 2000.5), (0.0, 1.0, 1.0, 0.0))
     air = sd.Atmosphere((sd.Aerosol(3.0, 0.0, 1.0, field.kind.law, profile),), albedo, radius=6.371e9, height=5000.0)
     known = sd.DiscreteOrdinates(SUN, air, streams=32).radiance(VIEWS, [550.0])[:, 0] / air.sun_at([550.0])[0]
-    lit, lights = LitField.of(field, SUN), (SUN, ONE, ONE, ONE * albedo)
+    lit = LitField.of(field, SUN)
+    lights = beam(lit, ONE, albedo)
     laws = laws_of(lit.scattering())
     passes = np.array([traced_through(lit, laws, VIEWS, lights, DARK, 800, 0, n)[:, 0] for n in range(10)])
     error = passes.std(axis=0, ddof=1) / np.sqrt(len(passes))
@@ -272,10 +274,15 @@ def test_air_before_the_cloud_is_the_same_compiled(sky):
     views, seen, clear = VIEWS[np.arange(50) % 5], rng.uniform(0, 1, (50, 5 + DEPTHS)), rng.uniform(0, 1, (50, 3))
     seen[:, 4] = rng.uniform(1e3, 9e4, 50)
     tables = light.at(views[:, 2], seen[:, 4])
-    _, *lights, sun, _ = np.moveaxis(tables, 1, 0)
+    _, sky_light, ground, _ = np.moveaxis(tables, 1, 0)
+    toward = (views[:, :2] @ SUN[:2]) / np.hypot(*views[:, :2].T) / np.hypot(*SUN[:2])
+    side, each = (toward + 1) / 2 * (SIDES - 1), np.arange(50)
+    q = np.minimum(side.astype(int), SIDES - 2)
+    sides = np.stack([light.before.at(part, views[:, 2], seen[:, 4]) for part in light.sunlit])
+    sunlit = sides[q, each] + (sides[q + 1, each] - sides[q, each]) * (side - q)[:, None, None]
     known = sum(light.around(clear, tables, seen[:, :1]))
-    known = known + sum(part * seen[:, n : n + 1] for n, part in enumerate(lights, 1))
-    known = known + sun * light.scattering.once(views @ light.lit.sun, seen[:, 5:])
+    known = known + sunlit[:, 0] * seen[:, 1:2] + sky_light * seen[:, 2:3] + ground * seen[:, 3:4]
+    known = known + sunlit[:, 1] * light.scattering.once(views @ light.toward, seen[:, 5:])
     np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)
 
 

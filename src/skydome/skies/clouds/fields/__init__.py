@@ -7,7 +7,7 @@
 - field            A field of cloud: extinction at every place over the ground, repeating, drifting with the wind
 - medium_kernel    Extinction at a place, means over coarse cells, depths along rays, compiled
 - scattering       How cloud scatters: the particles' law, the same after many small turns, angles drawn from it
-- low_sun          The lowest sun that a field knows
+- low_sun          Low suns over and under a field: slopes, and how much of their light meets it
 - transport/       Light scattered more than once: discrete ordinates through a coarse grid
 - lit_field        A field under its lights: depths toward the sun, scattered light of sun, sky and ground
 - march_kernel     Rays through a lit field, compiled

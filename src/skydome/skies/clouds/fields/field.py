@@ -107,6 +107,11 @@ class CloudField(Bounded):
         return self.base + self.thickness
 
     @property
+    def middle(self) -> float:
+        """Height of the middle between base and top, m."""
+        return (self.base + self.top) / 2
+
+    @property
     def words(self) -> str:
         """What it is, in a line.
 

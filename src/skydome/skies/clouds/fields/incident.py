@@ -13,45 +13,26 @@ from typing import Any, Self
 import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
-from skydome.air.bending import REFRACTIVITY
 from skydome.ground.compiled import shared
 from skydome.ground.directions import direction
 from skydome.ground.quadrature import hemisphere
-from skydome.light.spectrum import xyz_weights
 from skydome.skies.all_air.bent_sun import BentSun
-from skydome.skies.all_air.column_tables import ColumnTables, tables_of
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.air.above import Skylight, skylight
-from skydome.skies.clouds.fields.air.before import LEAST, VIEWS, AirBefore, sine_at
+from skydome.skies.clouds.fields.air.before import LEAST, LEVELS, VIEWS, AirBefore, sine_at
+from skydome.skies.clouds.fields.air.channels import Channels
 from skydome.skies.clouds.fields.air.exchange import EVEN, GROUND, Exchange, Shares
 from skydome.skies.clouds.fields.air.lower import LowerAir
+from skydome.skies.clouds.fields.air.sunlight import Sunlight
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.low_sun import LOWEST
 from skydome.skies.clouds.fields.scattering import Scattering
-from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.suns.sun_disc import MEAN_RADIUS
 
 RINGS, COLUMNS = 16, 32
 """Nodes of the sky's light on a level plane."""
 AROUND = 12
 """Azimuths that a mean sky is taken over."""
-
-
-@dataclass(frozen=True, eq=False)
-class Channels:
-    """What light is told in: weights (W, C) of wavelengths (W,), nm."""
-
-    wavelengths: np.ndarray
-    weights: np.ndarray
-
-    @classmethod
-    def of_spectrum(cls, wavelengths: np.ndarray) -> "Channels":
-        """Each wavelength by itself."""
-        return cls(wavelengths, np.eye(len(wavelengths)))
-
-    @classmethod
-    def of_colours(cls) -> "Channels":
-        """CIE XYZ."""
-        return cls(SpectralSky.bands, xyz_weights(SpectralSky.bands))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,26 +73,30 @@ class Incident:
         """The air below the field."""
         return LowerAir(self.air, self.lit.field.base, self.channels.wavelengths)
 
-    def beam(self, height: float) -> np.ndarray:
-        """Irradiance of the sun on a plane that faces it at a height, as it is seen from there, W m-2 nm-1, (W,)."""
-        tables, w, air = ColumnTables.of(self.air), self.channels.wavelengths, self.air
-        at, standing = np.array(height), np.arcsin(np.clip(np.asarray(self.clear.toward, np.float64)[2], -1.0, 1.0))
-        seen, share = tables.seen(at, standing)
-        light = np.exp(-tables.toward(at, sine := np.asarray(np.sin(seen))) @ self.depths) * air.sun_at(w) * share
-        if air.gases is None:
-            return np.asarray(light)
-        gases = tables_of(air.gases.profiles, air.radius, air.height, REFRACTIVITY).toward(at, sine)
-        return np.asarray(light * air.gases.transmittance(gases[..., 0], gases[..., 1], w))
+    @property
+    def toward(self) -> np.ndarray:
+        """The sun (3,) where the eye sees it, the middle of its glow."""
+        return np.asarray(self.clear.seen_sun, np.float64)
+
+    @cached_property
+    def sunlight(self) -> Sunlight:
+        """The sun's light by the place of the cloud."""
+        return Sunlight(self.before, self.clear.toward, self.clear.sun_distance, self.channels.wavelengths)
 
     @cached_property
     def sun(self) -> np.ndarray:
-        """Irradiance of the sun on a plane that faces it at the cloud, (W,)."""
-        return self.beam((self.lit.field.base + self.lit.field.top) / 2)
+        """Irradiance of the sun on a plane that faces it at the middle of the field, over the eye, (W,)."""
+        return self.sunlight.over_the_eye(self.lit.field.middle)
+
+    @cached_property
+    def sun_on_cloud(self) -> np.ndarray:
+        """The same where light that comes out of the base has come in: the base itself, from below, (W,)."""
+        return self.sun if self.lit.sun[2] >= 0 else self.sunlight.over_the_eye(self.before.low)
 
     @cached_property
     def scattering(self) -> Scattering:
         """How the cloud scatters the sun's light in the channels."""
-        return self.lit.scattering(self.channels.wavelengths, self.channels.weights * self.sun[:, None])
+        return self.lit.scattering(self.channels.wavelengths, self.channels.weights * self.sunlight.mean[:, None])
 
     @cached_property
     def sun_below(self) -> np.ndarray:
@@ -128,7 +113,7 @@ class Incident:
     @cached_property
     def clear_down(self) -> np.ndarray:
         """What comes down on the ground without cloud, (W,)."""
-        return np.asarray(self.sun_below * max(self.lit.sun[2], 0.0) + self.sky)
+        return np.asarray(self.sun_below * max(self.toward[2], 0.0) + self.sky)
 
     @cached_property
     def albedo(self) -> np.ndarray:
@@ -154,14 +139,14 @@ class Incident:
     @cached_property
     def direct(self) -> float:
         """Share of the sun's light that comes straight to the air below the field, over the round earth."""
-        radius, sine = self.air.radius, float(self.lit.sun[2])
-        return self.lit.straight(float(sine_at(sine, self.lit.field.base, radius)))
+        sine = max(float(self.toward[2]), LOWEST)
+        return self.lit.straight(float(sine_at(sine, self.lit.field.base, self.air.radius)))
 
     @cached_property
     def exchange(self) -> Exchange:
         """Light to and fro between field, lower air and ground."""
         by_sun, by_sky, by_ground = self.dimming
-        cloud = self.sun * self.lit.budget[1] * by_sun + self.field_sky * self.shares.through * by_sky
+        cloud = self.sun_on_cloud * self.lit.budget[1] * by_sun + self.field_sky * self.shares.through * by_sky
         down, _ = self.lower.shares
         by_air = self.sky - down[EVEN] * self.upon.whole - down[GROUND] * self.albedo * self.clear_down
         lights = (cloud, self.direct * (self.clear_down - self.sky), self.direct * by_air)
@@ -201,17 +186,26 @@ class Incident:
 
     @cached_property
     def tables(self) -> np.ndarray:
-        """By elevation and height, (VIEWS, LEVELS, 6, C): the share of the clear sky's light that the air before the
-        cloud has; what sun, sky and ground, scattered by the cloud, and the sun scattered once, have come through it;
-        and what that air has of diffuse light.
+        """By elevation and height, (VIEWS, LEVELS, 4, C): the share of the clear sky's light that the air before the
+        cloud has; what sky and ground, scattered by the cloud, have come through it; and what that air has of diffuse
+        light.
         """
         weights, through = self.channels.weights, self.before.through
         seen = self.mean_sky @ weights
         before = ((self.mean_sky * self.before.share) @ weights) / np.where(np.abs(seen) > LEAST, seen, 1.0)
-        lights = (self.sun, self.field_sky, self.exchange.below, self.sun)
-        shares = zip(lights, (*self.dimming, 1 - self.lost), strict=True)
-        behind = [(through * (light * share)) @ weights for light, share in shares]
+        lights = zip((self.field_sky, self.exchange.below), self.dimming[1:], strict=True)
+        behind = [(through * (light * share)) @ weights for light, share in lights]
         return np.stack([before, *behind, self.diffuse @ weights], axis=2)
+
+    @cached_property
+    def sunlit(self) -> np.ndarray:
+        """What the sun, scattered by the cloud often and once, has come through the air before it, by azimuth from the
+        sun's, elevation and height, (SIDES, VIEWS, LEVELS, 2, C). Light from above has come in at the middle or higher.
+        """
+        here, levels = self.sunlight.of_views, np.arange(LEVELS)
+        often = here[:, :, np.maximum(levels, LEVELS // 2)] if self.lit.sun[2] >= 0 else here
+        lights = ((often, self.dimming[0]), (here, 1 - self.lost))
+        return np.stack([(self.before.through * light * share) @ self.channels.weights for light, share in lights], 3)
 
     def behind(self, light: np.ndarray, views: np.ndarray) -> np.ndarray:
         """The clear sky's `light` (D, C) toward views (D, 3) with the field before it, (D, C)."""
@@ -224,13 +218,14 @@ class Incident:
         out = np.empty(light.shape)
         given = (
             self.tables,
+            self.sunlit,
             self.direct,
             self.scattering.seeming,
             self.before.low,
             self.before.high,
             self.air.radius,
             views,
-            self.lit.sun,
+            self.toward,
             seen,
             light,
             out,
@@ -239,12 +234,12 @@ class Incident:
         return out
 
     def at(self, sines: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        """The tables for sines of elevation and distances (D,), (D, 6, C)."""
+        """The tables for sines of elevation and distances (D,), (D, 4, C)."""
         return self.before.at(self.tables, sines, distance)
 
     def around(self, clear: np.ndarray, tables: np.ndarray, through: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Of `clear` light (D, C), by the tables (D, 6, C): what comes from beyond the cloud, which lets `through`
+        """Of `clear` light (D, C), by the tables (D, 4, C): what comes from beyond the cloud, which lets `through`
         (D, 1), and what the air before the cloud has, (D, C) each.
         """
-        before, diffuse = tables[:, 0], tables[:, 5]
+        before, diffuse = tables[:, 0], tables[:, 3]
         return clear * through * (1 - before), np.maximum(clear * before * self.direct + diffuse, 0.0)

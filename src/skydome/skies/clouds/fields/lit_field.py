@@ -16,7 +16,7 @@ import numpy as np
 from skydome.ground.compiled import shared
 from skydome.ground.extras import required
 from skydome.skies.clouds.fields.field import CloudField
-from skydome.skies.clouds.fields.low_sun import lifted
+from skydome.skies.clouds.fields.low_sun import share_of, steepened
 from skydome.skies.clouds.fields.scattering import DEPTHS, Scattering
 from skydome.skies.clouds.fields.transport.ordinates import Ordinates
 
@@ -37,7 +37,7 @@ WIDTHS = np.array([1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48])
 
 @dataclass(frozen=True, eq=False)
 class LitField:
-    """A field under a sun toward `sun` (3,), ready for rays."""
+    """A field under a sun that is seen toward `sun` (3,) from within it, or below it, ready for rays."""
 
     field: CloudField
     sun: np.ndarray
@@ -46,9 +46,19 @@ class LitField:
 
     @classmethod
     def of(cls, field: CloudField, sun: Any, coarseness: int = USUAL) -> Self:
-        """ImportError without Numba; a sun lower than `low_sun.LOWEST` is as one there."""
+        """ImportError without Numba; suns near the level are as `low_sun` has them."""
         required("numba", "fast", "a field of cloud")
-        return cls(field, lifted(sun), coarseness)
+        return cls(field, np.asarray(sun, np.float64), coarseness)
+
+    @cached_property
+    def ray(self) -> np.ndarray:
+        """Toward the sun as its rays go through the field, over or under the level, (3,)."""
+        return steepened(self.sun)
+
+    @property
+    def share(self) -> float:
+        """Share of the light of those rays that the sun gives."""
+        return share_of(self.sun)
 
     @cached_property
     def asymmetry(self) -> float:
@@ -100,16 +110,17 @@ class LitField:
         from skydome.skies.clouds.fields.medium_kernel import beams
 
         kind, (dx, _) = self.field.kind, self.steps
-        levels = min(ceil(self.field.thickness / self.sun[2] / (FINE * kind.detail)), MOST_LEVELS)
+        levels = min(ceil(self.field.thickness / abs(self.ray[2]) / (FINE * kind.detail)), MOST_LEVELS)
         side = max(self.cells, kind.count * USUAL // self.coarseness)
         depths = np.empty((side, side, max(levels, kind.levels) + 1), np.float32)
         met, passing = np.zeros_like(self.coarse), np.zeros_like(self.coarse)
-        beams(self.field.medium, self.gaps, dx, self.kept, self.sun, depths, met, passing)
+        beams(self.field.medium, self.gaps, dx, self.kept, self.ray, depths, met, passing)
         return depths, passing / np.maximum(met, LEAST)
 
     def straight(self, sine: float) -> float:
         """Share of the sun's light that comes straight through the field, on a way through it at a sine."""
-        return float(np.exp(-self.beams[0][..., 0] * (self.sun[2] / sine)).mean())
+        high = self.ray[2]
+        return float(np.exp(-self.beams[0][..., 0 if high > 0 else -1] * (abs(high) / sine)).mean())
 
     @cached_property
     def ordinates(self) -> Ordinates:
@@ -121,19 +132,21 @@ class LitField:
         """Sunlight in each cell for an irradiance of 1 on a plane that faces it, float32; what is lost is scattered."""
         light = self.beams[1]
         met = float((self.ordinates.extinction * light).mean()) * self.field.thickness
-        return light * np.float32(self.sun[2] * (1 - self.straight(self.sun[2])) / max(met, 1e-30))
+        high = abs(self.ray[2])
+        return light * np.float32(high * (1 - self.straight(high)) / max(met, 1e-30))
 
     @cached_property
     def first(self) -> np.ndarray:
         """What cells send of sunlight scattered once, as `ordinates` have it."""
-        return self.ordinates.beam(self.beam, self.sun)
+        return self.ordinates.beam(self.beam, self.ray)
 
     @cached_property
     def sunlight(self) -> tuple[np.ndarray, tuple[float, float]]:
         """Fluence and flux of scattered light for sunlight of irradiance 1 on a plane that faces it, and what of it
         comes out below and above.
         """
-        return self.ordinates.found(self.first, 0.0, 0.0)
+        light, (down, up) = self.ordinates.found(self.first, 0.0, 0.0)
+        return light * np.float32(self.share), (self.share * down, self.share * up)
 
     @cached_property
     def skylight(self) -> tuple[np.ndarray, tuple[float, float]]:
@@ -162,7 +175,7 @@ class LitField:
         scattered, on the horizontal; and the share of light from below that is sent back down.
         """
         (of_sun, _), (of_sky, _) = self.sunlight[1], self.skylight[1]
-        return self.straight(self.sun[2]), of_sun, of_sky, 1 - of_sky
+        return self.straight(abs(self.ray[2])), of_sun, of_sky, 1 - of_sky
 
     @cached_property
     def light(self) -> np.ndarray:
@@ -183,8 +196,9 @@ class LitField:
         views, kind = np.ascontiguousarray(directions, np.float64), self.field.kind
         out = np.empty((len(views), 5 + DEPTHS))
         numbers = np.array([self.kept, FARTHEST, 2.0 * kind.detail, self.asymmetry])
-        given = (self.field.medium, views, self.light, self.beams[0], self.gaps, kind.period, self.sun, numbers, out)
+        given = (self.field.medium, views, self.light, self.beams[0], self.gaps, kind.period, self.ray, numbers, out)
         shared(marched, len(views), len(views), given, RAYS_PER_PIECE)
+        out[:, 5:] *= self.share
         return out
 
 

@@ -65,7 +65,7 @@ def depth_to_sun(m, depths, sun, x, y, z, period, kept, near):
         total += extinction(m, x + s * sun[0], y + s * sun[1], z + s * sun[2]) * ds
         t += ds
     high = z + t * sun[2]
-    if high > m.thickness:
+    if high > m.thickness or high < 0.0:
         return total * kept
     step, lean = period / depths.shape[1], z / sun[2]
     place = high / m.thickness * (depths.shape[2] - 1)

@@ -123,18 +123,20 @@ def cell_means(first, last, m, period, out):
 @compiled
 def beams(m, gaps, width, kept, sun, depths, met, passing):
     """Scaled optical depth toward the sun from places that lie along its rays, into `depths` (north, east, up): a level
-    z above the base has its places shifted by z toward the sun. Sums of the depths that rays meet in the coarse
-    cells, and of the light that they lose there, into `met` and `passing` (north, east, up).
+    z above the base has its places shifted by z toward the sun, which may stand below. Sums of the depths that rays
+    meet in the coarse cells, and of the light that they lose there, into `met` and `passing` (north, east, up).
     """
     rows, columns, last = depths.shape[0], depths.shape[1], depths.shape[2] - 1
     cells, levels = met.shape[1], met.shape[2]
     step, high, dz = width * cells / columns, m.thickness / last, m.thickness / levels
-    lean_x, lean_y, long = sun[0] / sun[2], sun[1] / sun[2], high / sun[2]
+    lean_x, lean_y, long = sun[0] / sun[2], sun[1] / sun[2], high / abs(sun[2])
+    above = sun[2] > 0.0
     for j in range(rows):
         for i in range(columns):
-            depths[j, i, last] = 0.0
+            depths[j, i, last if above else 0] = 0.0
             total = 0.0
-            for k in range(last - 1, -1, -1):
+            for n in range(last):
+                k = last - 1 - n if above else n
                 z = (k + 0.5) * high
                 x, y = i * step + z * lean_x, j * step + z * lean_y
                 if free(gaps, x / width, y / width, z / dz) == 0.0:
@@ -144,7 +146,7 @@ def beams(m, gaps, width, kept, sun, depths, met, passing):
                     met[b, a, c] += depth
                     passing[b, a, c] += math.exp(-total) * -math.expm1(-depth)
                     total += depth
-                depths[j, i, k] = total
+                depths[j, i, k if above else k + 1] = total
 
 
 @compiled

@@ -21,8 +21,10 @@ from skydome.skies.path_tracing.tracing import Tracing
 
 ELEVATIONS, AZIMUTHS = 33, 64
 """Of the table of the clear sky that paths end in."""
+HEIGHTS, WAYS = 5, 65
+"""Of the table of the sun's light on the cloud, from base to top and along the sun's azimuth."""
 PATHS_PER_PIECE = 64
-MEANING = 4
+MEANING = 5
 """Counted up whenever a seed comes to mean other paths."""
 
 
@@ -83,19 +85,30 @@ class CloudTracing:
 
     @cached_property
     def lights(self) -> tuple[np.ndarray, ...]:
-        """Toward the sun; its light at the cloud and at the ground; the ground's albedo, in the channels."""
-        light = self.sky.colours
+        """Of the sun as `tracing_kernel` has them, and the ground's albedo, in the channels."""
+        from skydome.skies.clouds.fields.air.sunlight_kernel import FARTHEST
+
+        light, field = self.sky.colours, self.sky.field
         weights, albedo = light.channels.weights, np.asarray(light.air.albedo_at(light.channels.wavelengths))
+        heights, ways = np.linspace(field.base, field.top, HEIGHTS), np.linspace(-FARTHEST, FARTHEST, WAYS)
+        there = light.sunlight.at(*np.meshgrid(heights, ways / light.air.radius, indexing="ij"))
         below = light.sun_below @ weights
         reflected = (light.sun_below + light.sky) * albedo @ weights / ((light.sun_below + light.sky) @ weights)
-        return light.lit.sun, light.sun @ weights, below, reflected
+        return light.lit.sun, np.ascontiguousarray(there @ weights), light.toward, below, reflected
+
+    @cached_property
+    def dimmed(self) -> np.ndarray:
+        """What the air before the cloud leaves of its light, by elevation and height, (VIEWS, LEVELS, 3)."""
+        light = self.sky.colours
+        of_cloud = (light.sunlight.mean + light.field_sky)[:, None] * light.channels.weights
+        return np.asarray(light.before.through @ (of_cloud / of_cloud.sum(axis=0)))
 
     def one_pass(self, number: int) -> Array:
         """Mean colours by one pass's paths, (D, 3); 0 below the horizon."""
         light, views = self.sky.colours, np.ascontiguousarray(self.directions)
         laws = laws_of(light.scattering)
         found = traced_through(light.lit, laws, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
-        seen = through_the_air(light, self.clear, views, found, self.lights[1])
+        seen = through_the_air(light, self.clear, views, found, self.dimmed)
         return np.where(views[:, 2:] >= 0, seen, 0.0)
 
     def fingerprint(self) -> str:
@@ -116,13 +129,20 @@ def traced_through(
 
 
 def through_the_air(
-    light: Incident, clear: np.ndarray, views: np.ndarray, found: np.ndarray, sun: np.ndarray
+    light: Incident, clear: np.ndarray, views: np.ndarray, found: np.ndarray, dimmed: np.ndarray
 ) -> np.ndarray:
-    """Colours toward views of what paths found in the cloud, with the air before it, (D, C)."""
+    """Colours toward views of what paths found in the cloud, with the air before it that leaves `dimmed`, (D, C)."""
     channels = clear.shape[1]
     tables = light.at(views[:, 2], found[:, channels + 1])
     beyond, air = light.around(clear, tables, found[:, channels : channels + 1])
-    return np.asarray(beyond + air + found[:, :channels] * tables[:, 4] / sun)
+    left = light.before.at(dimmed[:, :, None], views[:, 2], found[:, channels + 1])
+    return np.asarray(beyond + air + found[:, :channels] * left[:, 0])
+
+
+def beam(lit: LitField, light: Any, albedo: Any = 0.0) -> tuple[np.ndarray, ...]:
+    """Lights of a sun of as much `light` (C,) everywhere, over ground of an `albedo` (C,)."""
+    light = np.asarray(light, np.float64)
+    return lit.sun, np.ones((2, 2, 1)) * light, lit.sun, light, np.ones(len(light)) * albedo
 
 
 def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]:
@@ -133,7 +153,7 @@ def laws_of(scattering: Scattering, albedo: Any = 1.0) -> tuple[np.ndarray, ...]
 
 
 def photon_shares(lit: LitField, count: int, albedo: float = 1.0, seed: int = 0) -> np.ndarray:
-    """Of `count` photons from the sun on the field: sent up, down scattered, down straight, absorbed, (4,).
+    """Of `count` photons from the sun on the field: sent up, down scattered, straight, absorbed, (4,).
 
     `albedo` of what is taken out of the light is scattered, the rest absorbed. The ground is black.
     """
@@ -142,5 +162,5 @@ def photon_shares(lit: LitField, count: int, albedo: float = 1.0, seed: int = 0)
     out = np.zeros(4)
     kind = lit.field.kind
     laws = laws_of(lit.scattering(), albedo)
-    photons(0, count, lit.field.medium, lit.gaps, lit.steps[0], laws, lit.sun, kind.period, seed, out)
+    photons(0, count, lit.field.medium, lit.gaps, lit.steps[0], laws, lit.ray, kind.period, seed, out)
     return out / count

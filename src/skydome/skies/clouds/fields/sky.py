@@ -15,6 +15,7 @@ from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.incident import Incident
 from skydome.skies.clouds.fields.lit_field import LitField
+from skydome.skies.clouds.fields.low_sun import seen_from
 from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.colour_sky import SpectralSky
 from skydome.skies.sky import SunlitSky
@@ -61,7 +62,7 @@ class CloudySky(WrappedSky, SpectralSky):
     @cached_property
     def lit(self) -> LitField:
         """The field under its sun."""
-        return LitField.of(self.field, self.clear.seen_sun)
+        return LitField.of(self.field, seen_from(self.clear, self.field.middle))
 
     def without_refusal(self, check: Check) -> Self:
         """The same with another `check`, the clear sky's too; its field is lit as it is, once."""

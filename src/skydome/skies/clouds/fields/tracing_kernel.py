@@ -3,8 +3,10 @@
 
 `m` is a `field.Medium`; `gaps` (north, east, up) m around that are free of cloud, in cells of width `dx`; `laws`: the
 phase function (ANGLES, C), the same evened about its peak, narrowly and widely, angles at even shares of its integral,
-and the shares that are scattered (C,). A path's state `p` (6,): place over the field, m, z above the base, and
-direction. Random numbers are a hash of path and event.
+and the shares that are scattered (C,). `lights`: toward the sun as it is seen in the field; its light there (heights,
+ways, C), from base to top and, along its azimuth, from FARTHEST m away from the sun to as far toward it; toward the sun
+as it is seen from the ground, its light there and the ground's albedo, (C,). A path's state `p` (6,): place over the
+field, m, z above the base, and direction. Random numbers are a hash of path and event.
 """
 
 import math
@@ -13,14 +15,14 @@ import numpy as np
 
 from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
+from skydome.ground.units import EARTH_RADIUS
+from skydome.skies.clouds.fields.air.sunlight_kernel import light_at, place_of, reaches
 from skydome.skies.clouds.fields.march_kernel import distance_to, height_over
 from skydome.skies.clouds.fields.medium_kernel import extinction, free
 
 compiled, part = job(), inlined()
 MOST = 100_000
 """Events of a path, at most."""
-LEAST = 0.1
-"""Transmittance below which a ray to the sun plays roulette."""
 WIDE = 3
 """Turns of a path after which the law that looks for the sun is the widely evened one."""
 BRIGHT = 0.1
@@ -48,28 +50,6 @@ def flown(m, gaps, dx, p, key, count):
 
 
 @part
-def reaches(m, gaps, dx, x, y, z, sun, key):
-    """Transmittance from a place to the sun, by ratio tracking."""
-    left, count, dz = 1.0, 0, m.thickness / gaps.shape[2]
-    while count < MOST:
-        gap = free(gaps, x / dx, y / dx, z / dz)
-        t = gap if gap > 0.0 else -math.log(uniform(key, count)) / m.extinction
-        count += 1
-        x, y, z = x + t * sun[0], y + t * sun[1], z + t * sun[2]
-        if z > m.thickness:
-            return left
-        if gap > 0.0:
-            continue
-        left *= 1.0 - extinction(m, x, y, z) / m.extinction
-        if left < LEAST:
-            if uniform(key, count) * LEAST >= left:
-                return 0.0
-            left = LEAST
-        count += 1
-    return left
-
-
-@part
 def turn(p, cosine, around):
     """Turn the direction of `p` by an angle, in place."""
     x, y, z = p[3], p[4], p[5]
@@ -92,8 +72,10 @@ def angle_drawn(angles, share):
 
 
 @part
-def from_sun(m, gaps, dx, p, law, sun, sun_here, key, seldom, light, worth):
-    """Add the sun's light (C,), turned by a law (ANGLES, C) at pi t^2 for even t; `seldom` where that is dim."""
+def from_sun(m, gaps, dx, p, law, sun, there, key, seldom, light, worth):
+    """Add the sun's light, by its table (heights, ways, C), turned by a law (ANGLES, C) at pi t^2 for even t; `seldom`
+    where that is dim.
+    """
     cosine = p[3] * sun[0] + p[4] * sun[1] + p[5] * sun[2]
     place = math.sqrt(math.acos(min(max(cosine, -1.0), 1.0)) / math.pi) * (law.shape[0] - 1)
     at = min(int(place), law.shape[0] - 2)
@@ -102,8 +84,10 @@ def from_sun(m, gaps, dx, p, law, sun, sun_here, key, seldom, light, worth):
     if uniform(key, 0) >= followed:
         return
     left = reaches(m, gaps, dx, p[0], p[1], p[2], sun, stirred(key)) / followed
+    row, column = place_of(m, p, sun, there)
     for c in range(light.size):
-        light[c] += worth[c] * left * (law[at, c] * (1 - share) + law[at + 1, c] * share) * sun_here[c]
+        law_here = law[at, c] * (1 - share) + law[at + 1, c] * share
+        light[c] += worth[c] * left * law_here * light_at(there, row, column, c)
 
 
 @part
@@ -122,14 +106,19 @@ def from_sky(sky, p, light, worth):
 @part
 def off_ground(m, gaps, dx, p, lights, key, light, worth):
     """Follow `p` down to the ground, add the sun that shines there, and send it up again."""
-    sun, _, sun_below, albedo = lights
+    _, _, sun, sun_below, albedo = lights
     t = (p[2] + m.base) / -p[5]
     x, y = p[0] + t * p[3], p[1] + t * p[4]
-    up = m.base / sun[2]
-    left = reaches(m, gaps, dx, x + up * sun[0], y + up * sun[1], 0.0, sun, stirred(key + GOLDEN))
+    left = 0.0
+    if sun[2] > 0.0:
+        up = distance_to(m.base, sun[2])
+        sine = sun[2] + up * (1.0 - sun[2] * sun[2]) / EARTH_RADIUS
+        flat = math.sqrt(max(1.0 - sine * sine, 0.0) / max(1.0 - sun[2] * sun[2], 1e-12))
+        toward = (sun[0] * flat, sun[1] * flat, sine)
+        left = sun[2] * reaches(m, gaps, dx, x + up * sun[0], y + up * sun[1], 0.0, toward, stirred(key + GOLDEN))
     for c in range(light.size):
         worth[c] *= albedo[c]
-        light[c] += worth[c] * left * sun_below[c] * sun[2] / math.pi
+        light[c] += worth[c] * left * sun_below[c] / math.pi
     p[5] = math.sqrt(uniform(key, 0))
     level, around = math.sqrt(max(1.0 - p[5] * p[5], 0.0)), 2 * math.pi * uniform(key, 1)
     p[3], p[4] = level * math.cos(around), level * math.sin(around)
@@ -141,7 +130,7 @@ def off_ground(m, gaps, dx, p, lights, key, light, worth):
 def followed(m, gaps, dx, p, laws, lights, sky, key, count, light, worth):
     """Follow a path from its first collision on and gather its light, (C,)."""
     law, evened, widely, angles, share = laws
-    sun, sun_here, _, _ = lights
+    sun, there, _, _, _ = lights
     turns = 0
     while True:
         if count > 0:
@@ -151,7 +140,7 @@ def followed(m, gaps, dx, p, laws, lights, sky, key, count, light, worth):
                 total = max(total, worth[c])
             looks = law if turns == 0 else evened if turns < WIDE else widely
             ray = stirred(key + np.uint64(count) * GOLDEN)
-            from_sun(m, gaps, dx, p, looks, sun, sun_here, ray, turns > 0, light, worth)
+            from_sun(m, gaps, dx, p, looks, sun, there, ray, turns > 0, light, worth)
             turns += 1
             if total < 0.05:
                 if uniform(key, count) > 0.5:
@@ -211,7 +200,7 @@ def photons(first, last, m, gaps, dx, laws, sun, period, seed, out):
     p = np.empty(6)
     for n in range(first, last):
         key = stirred(np.uint64(n) + stirred(np.uint64(seed) * GOLDEN))
-        p[0], p[1], p[2] = uniform(key, 0) * period, uniform(key, 1) * period, m.thickness
+        p[0], p[1], p[2] = uniform(key, 0) * period, uniform(key, 1) * period, m.thickness if sun[2] > 0.0 else 0.0
         p[3], p[4], p[5] = -sun[0], -sun[1], -sun[2]
         count, hits = flown(m, gaps, dx, p, key, 2), 0
         while count > 0:
@@ -220,4 +209,4 @@ def photons(first, last, m, gaps, dx, laws, sun, period, seed, out):
                 break
             turn(p, math.cos(angle_drawn(angles, uniform(key, count + 1))), 2 * math.pi * uniform(key, count + 2))
             count = flown(m, gaps, dx, p, key, count + 3)
-        out[3 if count > 0 else 0 if p[5] > 0.0 else 1 if hits > 0 else 2] += 1.0
+        out[3 if count > 0 else 2 if hits == 0 else 0 if p[5] > 0.0 else 1] += 1.0

@@ -13,7 +13,7 @@ from skydome.light.spectrum import Spectrum, checked_wavelengths
 from skydome.skies.all_air.sky import PhysicalSky
 from skydome.skies.clouds.fields.field import CloudField
 from skydome.skies.clouds.fields.lit_field import LitField
-from skydome.skies.clouds.fields.low_sun import lifted
+from skydome.skies.clouds.fields.low_sun import lifted, seen_from
 from skydome.skies.clouds.fields.shadows import sun_share
 from skydome.skies.clouds.fields.sky import CloudySky, dimmed, pieces
 from skydome.skies.colour_sky import SpectralSky
@@ -130,7 +130,8 @@ def _(sky: SunDisc, lit: LitField) -> SunDisc:
 
 
 def lit_by(sky: PhysicalSky, clouds: CloudField) -> RememberedField | None:
-    """The field under the sun or moon of a sky; None where its beam does not come to the clouds' top."""
+    """The field under the sun or moon of a sky; None where its beam does not come to the top of any cloud in sight."""
     standing = np.arcsin(np.clip(float(np.asarray(sky.toward)[2]), -1.0, 1.0))
-    left = float(sky.tables.seen(np.array(clouds.top), np.array(standing))[1])
-    return RememberedField.of(clouds, sky.seen_sun) if left > 0 else None
+    radius = sky.atmosphere.radius
+    left = sky.tables.seen(np.array(clouds.top), np.array(standing + np.arccos(radius / (radius + clouds.top))))[1]
+    return RememberedField.of(clouds, seen_from(sky, clouds.middle)) if left > 0 else None

@@ -8,7 +8,7 @@ import numpy as np
 from skydome.air.atmosphere import Atmosphere
 from skydome.ground.directions import direction
 from skydome.skies.clouds.fields.air.above import Skylight, skylight
-from skydome.skies.clouds.fields.air.before import LEAST, VIEWS
+from skydome.skies.clouds.fields.air.before import LEAST, LEVELS, VIEWS
 from skydome.skies.clouds.fields.incident import AROUND, Incident
 from skydome.skies.clouds.fields.scattering import Scattering
 from skydome.skies.night.celestial import GlowAbove
@@ -45,6 +45,16 @@ class DiffuseLight(Incident):
         return np.zeros(len(self.channels.wavelengths))
 
     @property
+    def toward(self) -> np.ndarray:
+        """Where it would be seen, (3,)."""
+        return self.lit.sun
+
+    @property
+    def sunlit(self) -> np.ndarray:
+        """None of it, (2, VIEWS, LEVELS, 2, C)."""
+        return np.zeros((2, VIEWS, LEVELS, 2, self.channels.weights.shape[1]))
+
+    @property
     def sun_below(self) -> np.ndarray:
         """None at the ground either, (W,)."""
         return self.sun
@@ -76,7 +86,7 @@ class DiffuseLight(Incident):
 
     @cached_property
     def tables(self) -> np.ndarray:
-        """As of a clear sky, (VIEWS, LEVELS, 6, C), where the air before the cloud has its share of the air's light."""
+        """As of a clear sky, (VIEWS, LEVELS, 4, C), where the air before the cloud has its share of the air's light."""
         found = super().tables.copy()
         found[:, :, 0] *= self.from_air[:, None]
         return found

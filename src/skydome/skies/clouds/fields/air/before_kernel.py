@@ -3,45 +3,57 @@
 
 import math
 
-from skydome.ground.compiled import job
+from skydome.ground.compiled import inlined, job
 
-compiled = job()
+compiled, part = job(), inlined()
+
+
+@part
+def among(table, j, k, number, c, v, u):
+    """A table (VIEWS, LEVELS, N, C) between its elevations and heights."""
+    lower = table[j, k, number, c] * (1 - u) + table[j, k + 1, number, c] * u
+    upper = table[j + 1, k, number, c] * (1 - u) + table[j + 1, k + 1, number, c] * u
+    return lower * (1 - v) + upper * v
+
+
+@part
+def placed(place, count):
+    """Where a place lies among `count` nodes: the one before it and the share of the next."""
+    low = min(int(place), count - 2)
+    return low, place - low
 
 
 @compiled
-def put_together(first, last, tables, direct, seeming, low, high, radius, views, sun, seen, light, out):
+def put_together(first, last, tables, sunlit, direct, seeming, low, high, radius, views, sun, seen, light, out):
     """Fill out (D, C) with the clear `light` (D, C) with the cloud before it; `seen` as `marched` has it.
 
     `direct`: share of the sun's light that comes to the air below. `seeming` (DEPTHS, ANGLES, C): the phase functions
     that light scattered once follows.
     """
     rows, levels, _, channels = tables.shape
+    flat_sun = max(math.hypot(sun[0], sun[1]), 1e-12)
     for n in range(first, last):
         cosine = views[n, 0] * sun[0] + views[n, 1] * sun[1] + views[n, 2] * sun[2]
         turned = math.sqrt(math.acos(min(max(cosine, -1.0), 1.0)) / math.pi) * (seeming.shape[1] - 1)
-        a = min(int(turned), seeming.shape[1] - 2)
-        t = turned - a
+        a, t = placed(turned, seeming.shape[1])
         up, s, through = min(max(views[n, 2], 0.0), 1.0), seen[n, 4], seen[n, 0]
         height = s * up + s * s * (1 - up * up) / (2 * radius)
-        row = math.sqrt(up) * (rows - 1)
         level = min(max((height - low) / (high - low), 0.0), 1.0) * (levels - 1)
-        j, k = min(int(row), rows - 2), min(int(level), levels - 2)
-        v, u = row - j, level - k
+        j, v = placed(math.sqrt(up) * (rows - 1), rows)
+        k, u = placed(level, levels)
+        across = max(math.hypot(views[n, 0], views[n, 1]), 1e-12) * flat_sun
+        side = min(max((views[n, 0] * sun[0] + views[n, 1] * sun[1]) / across, -1.0), 1.0)
+        q, w = placed(0.5 * (side + 1.0) * (sunlit.shape[0] - 1), sunlit.shape[0])
         for c in range(channels):
-            total, once = 0.0, 0.0
+            once = 0.0
             for depth in range(seeming.shape[0]):
                 law = seeming[depth, a, c] * (1 - t) + seeming[depth, a + 1, c] * t
                 once += seen[n, 5 + depth] * law
-            air = 0.0
-            for part in range(6):
-                lower = tables[j, k, part, c] * (1 - u) + tables[j, k + 1, part, c] * u
-                upper = tables[j + 1, k, part, c] * (1 - u) + tables[j + 1, k + 1, part, c] * u
-                there = lower * (1 - v) + upper * v
-                if part == 0:
-                    total += light[n, c] * through * (1 - there)
-                    air = light[n, c] * there * direct
-                elif part == 5:
-                    air += there
-                else:
-                    total += (seen[n, part] if part < 4 else once) * there
-            out[n, c] = total + max(air, 0.0)
+            before, air = among(tables, j, k, 0, c, v, u), among(tables, j, k, 3, c, v, u)
+            total = light[n, c] * through * (1 - before)
+            total += seen[n, 2] * among(tables, j, k, 1, c, v, u) + seen[n, 3] * among(tables, j, k, 2, c, v, u)
+            for number in range(2):
+                there = among(sunlit[q], j, k, number, c, v, u) * (1 - w)
+                there += among(sunlit[q + 1], j, k, number, c, v, u) * w
+                total += (once if number == 1 else seen[n, 1]) * there
+            out[n, c] = total + max(light[n, c] * before * direct + air, 0.0)
