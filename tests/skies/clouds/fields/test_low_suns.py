@@ -49,7 +49,7 @@ def test_thin_cloud_scatters_a_sun_below_once_by_its_true_angle():
 
 
 def test_light_of_the_sun_goes_through_the_level_without_a_step():
-    shares = np.array([share_of([0.0, 1.0, sine]) for sine in np.linspace(-2 * LOWEST, 2 * LOWEST, 401)])
+    shares = np.array([share_of([0.0, 1.0, sine], 1000.0) for sine in np.linspace(-2 * LOWEST, 2 * LOWEST, 401)])
     assert np.abs(np.diff(shares)).max() < 0.021
     clear = [sd.PhysicalSky(sun_at(elevation)) for elevation in (-0.43, -0.38)]
     thin = CloudField(Slab(sd.Water()), cover=1.0, base=3500.0, thickness=300.0, extinction=0.003)

@@ -58,7 +58,7 @@ class LitField:
     @property
     def share(self) -> float:
         """Share of the light of those rays that the sun gives."""
-        return share_of(self.sun)
+        return share_of(self.sun, self.field.thickness)
 
     @cached_property
     def asymmetry(self) -> float:

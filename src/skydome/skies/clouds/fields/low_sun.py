@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from skydome.ground.units import EARTH_RADIUS
+
 LOWEST = 0.01
 """Sine of the least slope of the sun's rays through a field."""
 
@@ -34,17 +36,18 @@ def steepened(sun: Any) -> np.ndarray:
     return with_sine(sun, max(high, LOWEST) if high >= 0 else min(high, -LOWEST))
 
 
-def share_of(sun: Any) -> float:
-    """Share of the light of a steepened sun that one toward `sun` (3,) gives a field, 0-1.
+def share_of(sun: Any, thickness: float) -> float:
+    """Share of the light of a steepened sun that one toward `sun` (3,) gives a field of a `thickness`, m, 0-1.
 
-    As much as meets a level plane. Rays that sink out of the base come into the field again beyond 2 R sin(depression).
-    It ends toward a sun below: it goes on for 0 to 2 R `LOWEST` (127 km), all as likely.
+    As much as meets a level plane. Rays to a sun below leave by the base from no higher than R sin^2(depression) / 2
+    over it, and come into the field again beyond 2 R sin(depression): it ends there, as it goes on toward such a sun
+    for 0 to 2 R `LOWEST` (127 km), all as likely.
 
-    >>> [round(share_of([0.0, 1.0, sine]), 4) for sine in (0.02, 0.005, 0.0, -0.005, -0.01)]
-    [1.0, 0.5, 0.0, 0.25, 1.0]
+    >>> [round(share_of([0.0, 1.0, sine], 300.0), 4) for sine in (0.02, 0.005, 0.0, -0.005, -0.01)]
+    [1.0, 0.5, 0.0, 0.0664, 1.0]
     """
     level = min(abs(float(sun[2])) / LOWEST, 1.0)
-    return level if sun[2] >= 0 else level * level
+    return level if sun[2] >= 0 else level * level * min(EARTH_RADIUS * float(sun[2]) ** 2 / (2 * thickness), 1.0)
 
 
 def seen_from(clear: Any, height: float) -> np.ndarray:
