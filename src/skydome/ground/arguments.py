@@ -36,7 +36,8 @@ def require_kind(value: object, kind: Kind, name: str, example: str) -> None:
     Traceback (most recent call last):
     TypeError: place must be of kind dict, as {}, got tuple (45.07, 7.69)
     """
-    if not isinstance(value, kind):
+    truth_for_number = isinstance(value, bool) and kind is int
+    if truth_for_number or not isinstance(value, kind):
         raise TypeError(f"{name} must be of kind {named(kind)}, as {example}, got {brief(value)}")
 
 

@@ -151,11 +151,13 @@ def floating(value: Any, like: object = None) -> Array:
     if is_numpy(value):
         return floats(value)
     xp = namespace(value)
+    if xp.isdtype(value.dtype, "bool"):
+        raise TypeError(expected.format(brief(value)))
     return value if xp.isdtype(value.dtype, "real floating") else xp.astype(value, xp.asarray(1.0).dtype)
 
 
 def floats(value: Any) -> np.ndarray:
-    """Numbers as NumPy holds them, floating ones untouched, others float64; TypeError for words, dates and the like.
+    """Numbers as NumPy holds them, floating ones untouched, others float64; TypeError for words, truths and the like.
 
     >>> floats(["red"])
     Traceback (most recent call last):
@@ -165,7 +167,7 @@ def floats(value: Any) -> np.ndarray:
         array = np.asarray(value)
         if array.dtype.kind == "f":
             return array if array.itemsize > 2 else array.astype(np.float64)  # half floats would round all constants
-        if array.dtype.kind in "iubO" and value is not None:
+        if array.dtype.kind in "iuO" and value is not None:
             return array.astype(np.float64)
     except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
         pass
@@ -214,9 +216,7 @@ def is_concrete(value: object) -> bool:
 
 def as_numpy(value: object) -> np.ndarray:
     """`value` as a NumPy array, detached from gradients and copied from its device where needed."""
-    if hasattr(value, "detach"):
-        value = value.detach().cpu()
-    return np.asarray(value)
+    return np.asarray(value.detach().cpu() if hasattr(value, "detach") else value)
 
 
 def safe_sqrt(x: Array) -> Array:

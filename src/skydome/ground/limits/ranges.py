@@ -100,7 +100,7 @@ def require_one(name: str, value: Any, whole: bool = False) -> None:
     if value is None or not is_concrete(value):
         return
     held = np.asarray(as_numpy(value))
-    if held.ndim or (whole and not (held.dtype.kind in "biuf" and float(held).is_integer())):
+    if held.ndim or (whole and not (held.dtype.kind in "iuf" and float(held).is_integer())):
         raise TypeError(f"{name} must be one {'whole ' if whole else ''}number, got {brief(value)}")
 
 
