@@ -9,6 +9,9 @@ from skydome.cli.scene import Scene
 if TYPE_CHECKING:
     from skydome.skies.sky import Sky
 
+DARK = 1e-6
+"""lx, cd m-2: less than that nobody sees, and no night is so dark."""
+
 
 def light_facts(scene: Scene) -> dict[str, Any]:
     """Everything worth printing of a sky, with its unit in the name; numbers, lists and strings only."""
@@ -129,9 +132,9 @@ def light_rows(facts: dict[str, Any]) -> dict[str, str]:
 
 
 def facing(facts: dict[str, Any]) -> str:
-    """Direct light on what faces the sun, or the moon of a night, for people; nothing where no disc shines."""
+    """Direct light on what faces the sun, or the moon of a night, for people; nothing where no disc is seen."""
     normal = facts["illuminance_lx"]["direct_normal"]
-    return f" ({amount(normal)} lx facing the {lit_by(facts)})" if normal else ""
+    return f" ({amount(normal)} lx facing the {lit_by(facts)})" if normal >= DARK else ""
 
 
 def lit_by(facts: dict[str, Any]) -> str:
@@ -164,11 +167,13 @@ def energy_rows(facts: dict[str, Any]) -> dict[str, str]:
 
 
 def amount(value: float) -> str:
-    """A number of light as people read it, at night as by day.
+    """A number of light as people read it, at night as by day; what is `DARK` is not counted.
 
-    >>> amount(12345.6), amount(0.00112345), amount(0.0)
-    ('12,346', '0.00112', '0')
+    >>> amount(12345.6), amount(0.00112345), amount(0.0), amount(7.88e-286)
+    ('12,346', '0.00112', '0', 'below 1e-06')
     """
+    if 0 < value < DARK:
+        return f"below {DARK:g}"
     return f"{value:,.0f}" if value >= 100 or not value > 0 else f"{value:.3g}"
 
 

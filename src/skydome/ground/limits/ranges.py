@@ -80,7 +80,17 @@ def require(name: str, value: Any, interval: Range) -> None:
     wrong = ~inside(numbers, interval)
     if wrong.any():
         first = np.asarray(numbers)[wrong].flat[0]
-        raise ValueError(f"{name} must lie in {interval}, got {first:g}")
+        raise ValueError(f"{name} must lie in {interval}, got {outside_text(float(first), interval)}")
+
+
+def outside_text(value: float, interval: Range) -> str:
+    """A number outside the interval in as many digits as tell that it is.
+
+    >>> outside_text(1.5, SHARE), outside_text(1 + 1e-12, SHARE)
+    ('1.5', '1.000000000001')
+    """
+    short = f"{value:g}"
+    return repr(value) if inside(float(short), interval) else short
 
 
 def require_each(interval: Range, **values: Any) -> list[Array]:
