@@ -272,6 +272,7 @@ def test_a_wrong_argument_of_a_method_gets_a_sentence(call, good):
         (lambda: sd.Place([45.0, 46.0], 7.0), "latitude must be one number, got list"),
         (lambda: sd.Preetham(SUN, True), "turbidity must be a number in .2, 6., or an array of such, got bool True"),
         (lambda: sd.Preetham(SUN, [True, False]), r"turbidity must be a number .* got list \[True, False\]"),
+        (lambda: sd.CloudField(cover=1 + 1e-12), r"cover must lie in .0, 1., got 1\.000000000001"),
         (lambda: sd.CloudField(seed=True), "seed must be a number in .* got bool True"),
         (lambda: HW.luminance(np.array([True, False, False])), "expected an array or a number, got ndarray"),
         (lambda: HW.radiance(sd.ZENITH, [True]), r"wavelengths must be numbers, got list \[True\]"),

@@ -144,7 +144,8 @@ def is_array(value: object) -> bool:
 def floating(value: Any, like: object = None) -> Array:
     """The value as a floating array, shape kept; numbers and lists take dtype, library and device of the array `like`.
 
-    Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`.
+    Floating arrays pass untouched (float32 stays float32); integers become float64, or the dtype of `like`; half
+    floats, which would round all constants, NumPy's float64, torch's and JAX's their usual dtype.
     """
     if is_array(like) and is_number(value):
         return constant(value, like)
@@ -153,7 +154,8 @@ def floating(value: Any, like: object = None) -> Array:
     xp = namespace(value)
     if xp.isdtype(value.dtype, "bool"):
         raise TypeError(expected.format(brief(value)))
-    return value if xp.isdtype(value.dtype, "real floating") else xp.astype(value, xp.asarray(1.0).dtype)
+    fine = xp.isdtype(value.dtype, "real floating") and value.dtype.itemsize > 2
+    return value if fine else xp.astype(value, xp.asarray(1.0).dtype)
 
 
 def floats(value: Any) -> np.ndarray:
@@ -165,10 +167,8 @@ def floats(value: Any) -> np.ndarray:
     """
     try:
         array = np.asarray(value)
-        if array.dtype.kind == "f":
-            return array if array.itemsize > 2 else array.astype(np.float64)  # half floats would round all constants
-        if array.dtype.kind in "iuO" and value is not None:
-            return array.astype(np.float64)
+        if array.dtype.kind in "fiuO" and value is not None:
+            return array if array.dtype.kind == "f" and array.itemsize > 2 else array.astype(np.float64)
     except (TypeError, ValueError):  # a list of lists of several lengths; an object that is no number
         pass
     raise TypeError(expected.format(brief(value)))

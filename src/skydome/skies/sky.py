@@ -9,11 +9,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from skydome.ground.arrays import Array, floating, namespace
-from skydome.ground.directions import checked_directions
 from skydome.ground.limits.ranges import WEIGHT, require
 from skydome.maps.showing.shown import Shown
 from skydome.skies.formula.fast import Light
 from skydome.skies.labelled import LabelledLight
+from skydome.skies.suns.held_sun import held_sun
 from skydome.skies.validity import is_one, weighted
 from skydome.sun.day import is_day
 
@@ -123,7 +123,7 @@ class SunlitSky(Sky):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        checked_directions(self.sun, "sun")
+        object.__setattr__(self, "sun", held_sun(self.sun))
 
     @property
     def sunlit(self) -> "SunlitSky | None":
