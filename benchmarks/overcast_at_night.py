@@ -26,10 +26,10 @@ def told(name: str, off: np.ndarray) -> None:
 
 
 def without_air() -> np.ndarray:
-    """Relative errors over kinds, depths 5-60 and heights."""
+    """Relative errors over kinds, two depths and two heights."""
     found, views = [], np.flatnonzero(VIEWS > 0.005)[::4]
     kinds = (sd.Water(), 10e-6), (sd.Water(), 6e-6), (sd.Ice(), 30e-6)
-    for (kind, radius), depth, k in product(kinds, (5.0, 20.0, 60.0), (1, 3, 6, 12, 17)):
+    for (kind, radius), depth, k in product(kinds, (5.0, 60.0), (3, 12)):
         cloud = sd.Cloud(depth, kind=kind, effective_radius=radius)
         air = sd.Atmosphere((sd.Molecules(pressure=1.0), cloud), albedo=0.0)
         truth = sd.DiscreteOrdinates(sd.direction(0.0, np.arcsin(SOURCES[k])), air, streams=64)
