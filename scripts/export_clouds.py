@@ -28,7 +28,8 @@ from skydome.skies.clouds.fields import field, lit_field, low_sun, march_kernel,
 from skydome.skies.clouds.fields.air import exchange, lower
 from skydome.skies.clouds.fields.air.above import skylight
 from skydome.skies.clouds.fields.air.before import LEVELS, VIEWS, AirBefore
-from skydome.skies.clouds.fields.incident import Channels, Incident
+from skydome.skies.clouds.fields.air.channels import Channels
+from skydome.skies.clouds.fields.air.sunlight import Sunlight
 from skydome.skies.clouds.fields.kinds import Altocumulus, Cirrus, CloudKind, Cumulus, Stratocumulus
 from skydome.skies.clouds.fields.transport import diffusion, ordinates
 from skydome.skies.physical.sky_colours import SkyColours
@@ -77,10 +78,14 @@ def columns_of(air: Atmosphere, kind: CloudKind) -> tuple[np.ndarray, np.ndarray
 
 def gases_leave(air: Atmosphere, height: float, sun: float) -> float:
     """Share of the luminance of a sun's beam that water vapour, oxygen and carbon dioxide leave at a height."""
-    toward, channels = direction(0.0, np.radians(sun)), Channels.of_colours()
+    channels, at = Channels.of_colours(), np.array(height)
+    depths = np.stack([np.asarray(part.depth(channels.wavelengths)) for part in air.constituents])
     whole, left = (
-        float(Incident(PhysicalSky(toward, each, check="clamp"), None, channels).beam(height) @ channels.weights[:, 1])
-        for each in (replace(air, gases=None), air)
+        float(sunlight.of_point(at, np.array(np.radians(sun))) @ channels.weights[:, 1])
+        for sunlight in (
+            Sunlight(AirBefore(each, depths, height, height), None, 1.0, channels.wavelengths)
+            for each in (replace(air, gases=None), air)
+        )
     )
     return left / whole if whole > 0 else 1.0
 
