@@ -280,10 +280,19 @@ def test_air_before_the_cloud_is_the_same_compiled(sky):
     q = np.minimum(side.astype(int), SIDES - 2)
     sides = np.stack([light.before.at(part, views[:, 2], seen[:, 4]) for part in light.sunlit])
     sunlit = sides[q, each] + (sides[q + 1, each] - sides[q, each]) * (side - q)[:, None, None]
-    known = sum(light.around(clear, tables, seen[:, :1]))
+    known = light.around(clear, views, seen[:, 4], seen[:, :1])
     known = known + sunlit[:, 0] * seen[:, 1:2] + sky_light * seen[:, 2:3] + ground * seen[:, 3:4]
     known = known + sunlit[:, 1] * light.scattering.once(views @ light.toward, seen[:, 5:])
     np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)
+
+
+def test_a_wisp_has_no_rim_wherever_it_floats(sky):
+    """What passes has the same air before it: before, light jumped where a ray met next to nothing of low cloud."""
+    light, seen = sky.colours, np.zeros((3, 5 + DEPTHS))
+    seen[:, 0], views = 1 - 1e-9, np.broadcast_to(sd.direction(1.0, 0.3), (3, 3))
+    seen[:, 4] = np.array([sky.field.base, 0.5 * (sky.field.base + sky.field.top), sky.field.top]) / views[0, 2]
+    found = light.put_together(np.full((3, 3), 1e3), np.ascontiguousarray(views), seen)
+    np.testing.assert_allclose(found, found[2:].repeat(3, axis=0), rtol=1e-7)
 
 
 def test_energy_of_clouds_in_turbid_air_is_told_and_lights_the_field_once():

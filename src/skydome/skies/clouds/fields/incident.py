@@ -237,9 +237,10 @@ class Incident:
         """The tables for sines of elevation and distances (D,), (D, 4, C)."""
         return self.before.at(self.tables, sines, distance)
 
-    def around(self, clear: np.ndarray, tables: np.ndarray, through: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Of `clear` light (D, C), by the tables (D, 4, C): what comes from beyond the cloud, which lets `through`
-        (D, 1), and what the air before the cloud has, (D, C) each.
+    def around(self, clear: np.ndarray, views: np.ndarray, distance: np.ndarray, through: np.ndarray) -> np.ndarray:
+        """The `clear` light (D, C) toward views (D, 3) that the cloud lets `through` (D, 1), with the air up to the
+        field's top before it, and the air up to the cloud at a distance (D,) before the rest, (D, C).
         """
-        before, diffuse = tables[:, 0], tables[:, 3]
-        return clear * through * (1 - before), np.maximum(clear * before * self.direct + diffuse, 0.0)
+        whole, near = (self.at(views[:, 2], s) for s in (np.full(len(views), self.air.radius), distance))
+        beyond, air = (np.maximum(clear * t[:, 0] * self.direct + t[:, 3], 0.0) for t in (whole, near))
+        return np.asarray(through * (clear * (1 - whole[:, 0]) + beyond) + (1 - through) * air)

@@ -133,10 +133,9 @@ def through_the_air(
 ) -> np.ndarray:
     """Colours toward views of what paths found in the cloud, with the air before it that leaves `dimmed`, (D, C)."""
     channels = clear.shape[1]
-    tables = light.at(views[:, 2], found[:, channels + 1])
-    beyond, air = light.around(clear, tables, found[:, channels : channels + 1])
+    around = light.around(clear, views, found[:, channels + 1], found[:, channels : channels + 1])
     left = light.before.at(dimmed[:, :, None], views[:, 2], found[:, channels + 1])
-    return np.asarray(beyond + air + found[:, :channels] * left[:, 0])
+    return np.asarray(around + found[:, :channels] * left[:, 0])
 
 
 def beam(lit: LitField, light: Any, albedo: Any = 0.0) -> tuple[np.ndarray, ...]:

@@ -27,6 +27,7 @@ def placed(place, count):
 def put_together(first, last, tables, sunlit, direct, seeming, low, high, radius, views, sun, seen, light, out):
     """Fill out (D, C) with the clear `light` (D, C) with the cloud before it; `seen` as `marched` has it.
 
+    What the cloud lets `through` has the air up to the field's top before it, the rest the air up to the cloud.
     `direct`: share of the sun's light that comes to the air below. `seeming` (DEPTHS, ANGLES, C): the phase functions
     that light scattered once follows.
     """
@@ -50,10 +51,11 @@ def put_together(first, last, tables, sunlit, direct, seeming, low, high, radius
                 law = seeming[depth, a, c] * (1 - t) + seeming[depth, a + 1, c] * t
                 once += seen[n, 5 + depth] * law
             before, air = among(tables, j, k, 0, c, v, u), among(tables, j, k, 3, c, v, u)
-            total = light[n, c] * through * (1 - before)
+            whole, beyond = among(tables, j, levels - 2, 0, c, v, 1.0), among(tables, j, levels - 2, 3, c, v, 1.0)
+            total = through * (light[n, c] * (1 - whole) + max(light[n, c] * whole * direct + beyond, 0.0))
             total += seen[n, 2] * among(tables, j, k, 1, c, v, u) + seen[n, 3] * among(tables, j, k, 2, c, v, u)
             for number in range(2):
                 there = among(sunlit[q], j, k, number, c, v, u) * (1 - w)
                 there += among(sunlit[q + 1], j, k, number, c, v, u) * w
                 total += (once if number == 1 else seen[n, 1]) * there
-            out[n, c] = total + max(light[n, c] * before * direct + air, 0.0)
+            out[n, c] = total + (1 - through) * max(light[n, c] * before * direct + air, 0.0)
