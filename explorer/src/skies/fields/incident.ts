@@ -101,8 +101,14 @@ export class Incident {
         const first = (j * LEVELS + k) * PARTS * 3 + 3 * part + c, next = first + PARTS * 3, above = first + LEVELS * PARTS * 3;
         const lower = tables[first] * (1 - u) + tables[next] * u, upper = tables[above] * (1 - u) + tables[above + PARTS * 3] * u;
         const there = lower * (1 - v) + upper * v;
-        if (part === 0) out[at + c] = through * (1 - there) + there * this.direct;
-        else added += (part === PARTS - 1 ? 1 : part === PARTS - 2 ? once : seen[part]) * there;
+        if (part > 0 && part < PARTS - 1) {
+          added += (part === PARTS - 2 ? once : seen[part]) * there;
+          continue;
+        }
+        const top = first + (LEVELS - 1 - k) * PARTS * 3; // air before what passes goes up to there
+        const whole = tables[top] * (1 - v) + tables[top + LEVELS * PARTS * 3] * v, air = there + (whole - there) * through;
+        if (part === 0) out[at + c] = through * (1 - whole) + air * this.direct;
+        else added += air;
       }
       out[at + 3 + c] = added;
     }
