@@ -286,6 +286,11 @@ def test_air_before_the_cloud_is_the_same_compiled(sky):
     np.testing.assert_allclose(light.put_together(clear, views, seen), known, rtol=1e-9)
 
 
+def test_paths_of_a_night_bring_no_light():
+    night = sd.CloudySky(sd.PhysicalSky(sd.direction(0.0, -0.5)), sd.CloudField(cover=0.4))
+    assert not np.any(sd.CloudTracing(night, VIEWS).start().more().radiance)
+
+
 def test_a_wisp_has_no_rim_wherever_it_floats(sky):
     """What passes has the same air before it: before, light jumped where a ray met next to nothing of low cloud."""
     light, seen = sky.colours, np.zeros((3, 5 + DEPTHS))

@@ -104,7 +104,9 @@ class CloudTracing:
         return np.asarray(light.before.through @ (of_cloud / of_cloud.sum(axis=0)))
 
     def one_pass(self, number: int) -> Array:
-        """Mean colours by one pass's paths, (D, 3); 0 below the horizon."""
+        """Mean colours by one pass's paths, (D, 3); 0 below the horizon, and where the sky has no light."""
+        if not self.sky.is_day:
+            return np.zeros((len(self.directions), 3))
         light, views = self.sky.colours, np.ascontiguousarray(self.directions)
         laws = laws_of(light.scattering)
         found = traced_through(light.lit, laws, views, self.lights, self.ends, self.paths_per_pass, self.seed, number)
