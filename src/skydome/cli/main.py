@@ -10,6 +10,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from skydome import __version__
+from skydome.cli.clouds.kinds import with_usual_kind
 from skydome.cli.commands.convert import convert
 from skydome.cli.commands.daylight import daylight
 from skydome.cli.commands.explore import explore
@@ -37,7 +38,11 @@ UsageError = cast(type[typer.BadParameter], typer.BadParameter.__bases__[0])
 
 
 class FiniteCommand(TyperCommand):
-    """A command whose numbers are finite, whichever options it has."""
+    """A command whose numbers are finite, whichever options it has; `--clouds` alone are the usual ones."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the words."""
+        return super().parse_args(ctx, with_usual_kind(args))
 
     def invoke(self, ctx: Any) -> Any:
         """Look at the numbers, then call it."""

@@ -100,3 +100,9 @@ def test_commands_without_clouds_refuse_them(call, command):
     shown = call(command, "--clouds", "cumulus")
     assert shown.exit_code == 2
     assert "Traceback" not in shown.output
+
+
+def test_clouds_without_a_word_are_heaps(call):
+    named, alone = (call("light", "--sun", "200,40", "--clouds", *word, "--cover", 0.3) for word in (["cumulus"], []))
+    assert alone.exit_code == 0, alone.stderr
+    assert alone.stdout == named.stdout

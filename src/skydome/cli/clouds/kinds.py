@@ -11,6 +11,21 @@ if TYPE_CHECKING:
 NAMES = ("cumulus", "stratocumulus", "altocumulus", "cirrus")
 USUAL: Mapping[str, float] = {}
 """No sizes of one's own."""
+CLOUDS = "--clouds"
+
+
+def with_usual_kind(words: list[str]) -> list[str]:
+    """The words of a command, with the usual kind of cloud after a `--clouds` that names none.
+
+    >>> with_usual_kind(["--clouds", "--cover", "0.5"])
+    ['--clouds', 'cumulus', '--cover', '0.5']
+    """
+    named = list(words)
+    if CLOUDS in named:
+        after = named.index(CLOUDS) + 1
+        if after == len(named) or named[after].startswith("-"):
+            named.insert(after, NAMES[0])
+    return named
 
 
 def kind_named(name: str, particles: str | None = None, sizes: Mapping[str, float] = USUAL) -> "CloudKind":

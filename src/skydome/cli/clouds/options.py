@@ -19,7 +19,7 @@ class CloudOptions:
         str | None,
         Option(
             metavar="KIND",
-            help="cumulus, stratocumulus, altocumulus or cirrus; with --dni and --dhi they carry that light.",
+            help="cumulus (the usual), stratocumulus, altocumulus or cirrus; they carry the light of --dni and --dhi.",
             rich_help_panel=PANEL,
         ),
     ] = None

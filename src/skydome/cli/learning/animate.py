@@ -56,7 +56,7 @@ def animate(
         str | None,
         Option(
             metavar="KIND",
-            help="cumulus, stratocumulus, altocumulus or cirrus over --place, or with the light of --weather.",
+            help="cumulus (the usual), stratocumulus, altocumulus or cirrus over --place, or with --weather's light.",
         ),
     ] = None,
     cloud_kind: CloudKindWord = None,
