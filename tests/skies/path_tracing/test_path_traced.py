@@ -38,7 +38,7 @@ def test_one_bounce_is_single_scattering():
 
 def test_first_order_by_quadrature_or_by_paths_is_the_same():
     jobs = [
-        PathTraced(sun_at(30.0), AIR, exact_first=e, seed=e, paths_per_pass=32).job(VIEWS, [400.0, 600.0])
+        PathTraced(sun_at(30.0), AIR, exact_first=e, seed=int(e), paths_per_pass=32).job(VIEWS, [400.0, 600.0])
         for e in (True, False)
     ]
     exact, drawn = (job.start().more(40) for job in jobs)
