@@ -57,6 +57,11 @@ KERNEL_PAIRS = (
         "skies/clouds/fields/test_cloud_fields.py::test_air_before_the_cloud_is_the_same_compiled",
     ),
     Pair(
+        "skies.clouds.fields.field:CloudField",
+        "skies.clouds.fields.air.sunlight_kernel:reaches",
+        "skies/clouds/fields/test_low_suns.py::test_rays_to_the_sun_are_let_through_as_by_the_field",
+    ),
+    Pair(
         "skies.clouds.fields.reference:CloudTracing",
         "skies.clouds.fields.tracing_kernel:traced",
         "skies/clouds/fields/test_cloud_fields.py::test_paths_through_a_slab_meet_discrete_ordinates",

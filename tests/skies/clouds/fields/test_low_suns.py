@@ -86,3 +86,30 @@ def test_a_sun_below_lights_bases_red_toward_it():
     x, y, z = once.mean(axis=0)
     assert y > 10.0
     assert x > y > 5 * z
+
+
+@pytest.mark.parametrize("elevation", [40.0, -10.0])
+def test_rays_to_the_sun_are_let_through_as_by_the_field(elevation):
+    from skydome.skies.clouds.fields.air.sunlight_kernel import reaches
+
+    sun, lit = sun_at(elevation), LitField.of(HEAPS, sun_at(elevation))
+    m, keys = lit.field.medium, np.random.default_rng(1).integers(1, 1 << 62, 3000, dtype=np.uint64)
+    for x, y in ((0.0, 0.0), (700.0, 900.0), (3000.0, 5200.0)):
+        z = 0.5 * m.thickness
+        left = [reaches(m, lit.gaps, lit.steps[0], x, y, z, sun, key) for key in keys]
+        s = np.arange(0.5, (m.thickness - z if sun[2] > 0 else z) / abs(sun[2]), 1.0)
+        places = np.array([x - m.east, y - m.north, z + m.base]) + s[:, None] * sun
+        known = np.exp(-lit.field.extinction_at(places).sum())
+        assert np.mean(left) == pytest.approx(known, abs=4 * np.std(left) / np.sqrt(len(left)) + 2e-3)
+
+
+def test_the_sun_s_light_by_place_is_between_its_nodes():
+    from skydome.skies.clouds.fields.air.sunlight_kernel import FARTHEST, light_at, place_of
+
+    m, sun, table = HEAPS.medium, sun_at(-0.5), np.random.default_rng(2).uniform(0, 1, (3, 9, 2))
+    for high, along in ((0.0, -1.0), (0.3, 0.13), (1.0, 1.0)):
+        there = np.array([m.east, m.north, high * m.thickness])
+        there[:2] += along * FARTHEST * sun[:2] / np.hypot(*sun[:2])
+        row, column = place_of(m, there, sun, table)
+        columns = np.array([np.interp((along + 1) * 4, np.arange(9), line) for line in table[:, :, 1]])
+        assert light_at(table, row, column, 1) == pytest.approx(np.interp(high * 2, np.arange(3), columns), rel=1e-9)
