@@ -4,6 +4,7 @@ import os
 import socket
 import stat
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -138,3 +139,16 @@ def test_a_folder_and_a_file_do_not_stand_in_each_others_place(tmp_path):
         require_place(tmp_path / "file", folder=True)
     with pytest.raises(IsADirectoryError, match="must not be a folder"):
         require_place(tmp_path)
+
+
+def test_an_interrupt_just_when_the_hidden_file_is_made_leaves_nothing(tmp_path, monkeypatch):
+    opened = Path.open
+
+    def interrupted(path, *arguments):
+        opened(path, *arguments).close()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, "open", interrupted)
+    with pytest.raises(KeyboardInterrupt), appearing(tmp_path / "sky.exr"):
+        pass
+    assert list(tmp_path.iterdir()) == []

@@ -106,11 +106,11 @@ def appearing(path: str | PathLike[str]) -> Iterator[Path]:
             yield beside
         return
     beside = hidden_beside(final)
-    try:
-        beside.open("xb").close()
-    except OSError as error:
-        raise type(error)(f"cannot write {path}: {error.strerror}") from error
-    try:
+    try:  # a request to end may come at once after the file is there
+        try:
+            beside.open("xb").close()
+        except OSError as error:
+            raise type(error)(f"cannot write {path}: {error.strerror}") from error
         keep_permissions(final, beside)
         yield beside
         onto_the_disk(beside)
