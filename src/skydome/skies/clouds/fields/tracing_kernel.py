@@ -16,13 +16,11 @@ import numpy as np
 from skydome.ground.compiled import inlined, job
 from skydome.ground.elementary_kernel import GOLDEN, stirred, uniform
 from skydome.ground.units import EARTH_RADIUS
-from skydome.skies.clouds.fields.air.sunlight_kernel import light_at, place_of, reaches
+from skydome.skies.clouds.fields.air.sunlight_kernel import MOST, light_at, place_of, reaches
 from skydome.skies.clouds.fields.march_kernel import distance_to, height_over
 from skydome.skies.clouds.fields.medium_kernel import extinction, free
 
 compiled, part = job(), inlined()
-MOST = 100_000
-"""Events of a path, at most."""
 WIDE = 3
 """Turns of a path after which the law that looks for the sun is the widely evened one."""
 BRIGHT = 0.1

@@ -7,9 +7,8 @@ import numpy as np
 
 from skydome.air.atmosphere import Atmosphere
 from skydome.air.clouds.cloud import Cloud
-from skydome.skies.all_air.column_tables import ColumnTables
 from skydome.skies.clouds.fields.air.above import air_above
-from skydome.skies.clouds.fields.air.before import sine_at
+from skydome.skies.clouds.fields.air.before import columns_before
 from skydome.skies.clouds.fields.air.exchange import GROUND, Exchange, Shares
 from skydome.skies.clouds.fields.air.lower import LowerAir
 from skydome.skies.clouds.passing import AREAS, SOURCES, VIEWS, PassingLight, passing
@@ -55,9 +54,7 @@ class LayerInAir:
     @cached_property
     def left(self) -> np.ndarray:
         """What the air below lets through toward `VIEWS`, (V, W)."""
-        tables = ColumnTables.of(self.air)
-        there = tables.toward(np.full(VIEWS.shape, self.height), sine_at(VIEWS, self.height, self.air.radius))
-        columns = np.maximum(tables.toward(np.zeros_like(VIEWS), VIEWS) - there, 0.0)
+        columns = columns_before(self.air, VIEWS, np.full(VIEWS.shape, self.height))
         depths = np.stack([np.asarray(part.depth(self.wavelengths)) for part in self.air.constituents])
         return np.asarray(np.exp(-columns @ depths))
 

@@ -36,10 +36,7 @@ class AirBefore:
     @cached_property
     def columns(self) -> np.ndarray:
         """Vertical columns of the constituents between the eye and the heights, (VIEWS, LEVELS, K)."""
-        tables = ColumnTables.of(self.air)
-        sines, at = np.meshgrid(self.sines, self.heights, indexing="ij")
-        between = tables.toward(np.zeros_like(sines), sines) - tables.toward(at, sine_at(sines, at, self.air.radius))
-        return np.asarray(np.maximum(between, 0.0))
+        return columns_before(self.air, *np.meshgrid(self.sines, self.heights, indexing="ij"))
 
     @cached_property
     def through(self) -> np.ndarray:
@@ -63,6 +60,15 @@ class AirBefore:
         lower = table[j, k] * (1 - u) + table[j, k + 1] * u
         upper = table[j + 1, k] * (1 - u) + table[j + 1, k + 1] * u
         return np.asarray(lower * (1 - v) + upper * v)
+
+
+def columns_before(air: Atmosphere, sines: np.ndarray, heights: np.ndarray) -> np.ndarray:
+    """Vertical columns of an air's constituents between the ground and heights (...,), m, toward sines of elevation
+    (...,), (..., K).
+    """
+    tables = ColumnTables.of(air)
+    between = tables.toward(np.zeros_like(sines), sines) - tables.toward(heights, sine_at(sines, heights, air.radius))
+    return np.asarray(np.maximum(between, 0.0))
 
 
 def sine_at(sine: Any, height: Any, radius: float) -> np.ndarray:

@@ -11,7 +11,7 @@ from skydome.skies.clouds.fields.medium_kernel import extinction, free
 
 part = inlined()
 MOST = 100_000
-"""Events of a ray, at most."""
+"""Events of a ray, or a path, at most."""
 LEAST = 0.1
 """Transmittance below which it plays roulette."""
 FARTHEST = 400_000.0
